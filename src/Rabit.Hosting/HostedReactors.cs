@@ -10,10 +10,14 @@ public sealed class HostedReactors
 {
     private readonly object _gate = new();
     private readonly List<string> _names;
+    private readonly List<ReactorRegistration> _registrations;
     private readonly Dictionary<string, HostedReactor> _reactors = new(StringComparer.Ordinal);   // under _gate
 
     internal HostedReactors(IEnumerable<ReactorRegistration> registrations)
-        => _names = registrations.Select(r => r.Name).ToList();
+    {
+        _registrations = registrations.ToList();
+        _names = _registrations.ConvertAll(r => r.Name);
+    }
 
     /// <summary>Their names, in the order of their start.</summary>
     public IReadOnlyList<string> Names => _names;
@@ -38,6 +42,9 @@ public sealed class HostedReactors
         lock (_gate)
             return _reactors.TryGetValue(name, out HostedReactor? reactor) ? reactor : null;
     }
+
+    internal Func<RabitReactor, Func<string?>>? DescriptionOf(string name)
+        => _registrations.Find(r => string.Equals(r.Name, name, StringComparison.Ordinal))?.Describe;
 
     internal void Add(HostedReactor reactor)
     {

@@ -46,6 +46,33 @@ public sealed class RabitBuilder
         return this;
     }
 
+    /// <summary>
+    /// Has a function make the reactor, with managers of its own: those that are added here come after them. What the
+    /// reactor is made of is disposed by whoever made it.
+    /// </summary>
+    /// <param name="create">
+    /// Called once, on the thread that starts the host, with the options of the host; it passes them on. An
+    /// <see cref="Microsoft.Extensions.Options.OptionsValidationException"/> is reported failure by failure.
+    /// </param>
+    public RabitBuilder CreateReactor(Func<IServiceProvider, ReactorOptions, RabitReactor> create)
+    {
+        _registration.Create = create ?? throw new ArgumentNullException(nameof(create));
+        return this;
+    }
+
+    /// <summary>
+    /// Puts a text before the status that systemd shows, for example the phase of a mission.
+    /// </summary>
+    /// <param name="describe">
+    /// Called with the reactor once it has started; what it returns is called about once a second, by one thread at a
+    /// time, and gives one line, or null for none.
+    /// </param>
+    public RabitBuilder DescribeStatus(Func<RabitReactor, Func<string?>> describe)
+    {
+        _registration.Describe = describe ?? throw new ArgumentNullException(nameof(describe));
+        return this;
+    }
+
     /// <summary>Sets options in code; what the configuration says comes after it and counts.</summary>
     /// <param name="configure">Called when the host starts.</param>
     public RabitBuilder Configure(Action<RabitHostOptions> configure)

@@ -24,6 +24,7 @@ internal sealed class RabitHostedService(
     public async Task StartAsync(CancellationToken cancellationToken)
     {
         List<HostedReactor> made = factory.Make();
+        CheckWiring(made);
         made.ForEach(reactors.Add);
         try
         {
@@ -57,6 +58,17 @@ internal sealed class RabitHostedService(
     {
         foreach (HostedReactor reactor in _running.Where(r => r.Ended.IsCompleted))
             reactor.Dispose();
+    }
+
+    // Of all reactors, before the first of them starts.
+    private static void CheckWiring(List<HostedReactor> made)
+    {
+        string[] faults = made.SelectMany(
+            r => r.Reactor.FindWiringFaults().Select(f => made.Count == 1 ? f : $"{r.Name}: {f}")).ToArray();
+        if (faults.Length == 0)
+            return;
+        made.ForEach(r => r.Dispose());
+        throw new RabitWiringException(faults);
     }
 
     private async Task StartAsync(HostedReactor reactor, CancellationToken cancellationToken)

@@ -55,27 +55,43 @@ internal sealed class ReactorFactory(
         ReactorOptions run = options.ToReactor(registration.Name, _usable);
         run.Log = new ReactorLogger(loggers, registration.Name).Write;
         registration.Reactor.ForEach(configure => configure(services, run));
-        var reactor = new RabitReactor(run);
         var owned = new List<IDisposable>();
+        RabitReactor? reactor = null;
+        Try(registration.Name + ": the reactor", faults, ref first, () => reactor = registration.Create(services, run));
+        if (reactor is null)
+            return new HostedReactor(registration.Name, new RabitReactor(), owned);
         foreach (ManagerRegistration manager in registration.Managers)
         {
-            try
+            Try($"{registration.Name}: {manager.Name}", faults, ref first, () =>
             {
                 RabitManager made = manager.Create(services);
                 if (manager.IsOurs && made is IDisposable disposable)
                     owned.Add(disposable);
                 reactor.Add(made);
-            }
-            catch (Exception e)
-            {
-                // Reported with all others.
-                faults.Add($"{registration.Name}: {manager.Name} cannot be made: {e.Message}");
-                first ??= e;
-            }
+            });
         }
 
         if (faults.Count == 0)
             registration.Setup.ForEach(setup => setup(services, reactor));
         return new HostedReactor(registration.Name, reactor, owned);
+    }
+
+    // What goes wrong is reported with all others.
+    private static void Try(string what, List<string> faults, ref Exception? first, Action make)
+    {
+        try
+        {
+            make();
+        }
+        catch (OptionsValidationException e)
+        {
+            faults.AddRange(e.Failures);
+            first ??= e;
+        }
+        catch (Exception e)
+        {
+            faults.Add($"{what} cannot be made: {e.Message}");
+            first ??= e;
+        }
     }
 }

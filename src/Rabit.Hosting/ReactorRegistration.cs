@@ -9,6 +9,13 @@ internal sealed class ReactorRegistration(string name)
 {
     public string Name { get; } = name;
 
+    /// <summary>Makes the reactor itself, with managers of its own or none.</summary>
+    public Func<IServiceProvider, ReactorOptions, RabitReactor> Create { get; set; }
+        = (_, options) => new RabitReactor(options);
+
+    /// <summary>What the status of the service begins with; null for nothing.</summary>
+    public Func<RabitReactor, Func<string?>>? Describe { get; set; }
+
     public List<ManagerRegistration> Managers { get; } = [];
 
     public List<Action<RabitHostOptions>> Options { get; } = [];

@@ -181,6 +181,10 @@ public sealed class UavOptions
     /// <value>The default is 0.</value>
     public long Seed { get; set; }
 
+    /// <summary>Everything that <see cref="UavSystem.Open"/> would refuse, without opening anything.</summary>
+    /// <returns>A line for each fault; empty where there is none.</returns>
+    public IReadOnlyList<string> FindFaults() => UavOptionsCheck.FindFaults(this);
+
     internal bool IsReplay
         => OpenLinks.Count == 0 && Links.Count > 0 && Links.All(l => l.Kind == LinkKind.RecordedFile);
 
@@ -194,7 +198,7 @@ public sealed class UavOptions
     /// </exception>
     internal void Validate(string parameter)
     {
-        IReadOnlyList<string> faults = UavOptionsCheck.FindFaults(this);
+        IReadOnlyList<string> faults = FindFaults();
         if (faults.Count > 0)
             throw new ArgumentException(string.Join("; ", faults) + ".", parameter);
     }

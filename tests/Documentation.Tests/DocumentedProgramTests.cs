@@ -75,6 +75,7 @@ public sealed class DocumentedProgramTests
     [InlineData("Links")]
     [InlineData("Hosting")]
     [InlineData("Uav")]
+    [InlineData("Uav.Hosting")]
     [InlineData("Uav.Reporting")]
     [InlineData("Uav.Simulation")]
     public void FirstBlock_OfThePackagesReadme_IsAProgramThatCompiles(string package)

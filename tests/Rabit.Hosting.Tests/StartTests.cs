@@ -23,6 +23,22 @@ public sealed class StartTests
     }
 
     [Fact]
+    public async Task Wiring_FaultsOfSeveralReactors_AreAllListedAndNothingStarts()
+    {
+        var journal = new Journal();
+        using var host = new TestHost(s => s.AddSingleton(journal)
+            .AddRabit("good", r => r.AddManager<Source>())
+            .AddRabit("left", r => r.AddManager(_ => new Orphan("first")))
+            .AddRabit("right", r => r.AddManager(_ => new Orphan("second"))));
+
+        RabitWiringException e = await Assert.ThrowsAsync<RabitWiringException>(host.StartAsync);
+
+        Assert.Contains(e.Faults, f => f.StartsWith("left: ", StringComparison.Ordinal) && f.Contains("beat of first"));
+        Assert.Contains(e.Faults, f => f.StartsWith("right: ", StringComparison.Ordinal) && f.Contains("beat of second"));
+        Assert.Equal("", journal.Text);
+    }
+
+    [Fact]
     public async Task Managers_ServiceIsMissing_EndTheStartWithAllOfThem()
     {
         using var host = new TestHost(s => s.AddRabit(r => r.AddManager<Source>().AddManager<Sink>()));

@@ -231,6 +231,13 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
         return End();
     }
 
+    /// <summary>
+    /// What <see cref="Start"/> would refuse, without starting anything: for programs with several reactors that name
+    /// all faults together. Before the start.
+    /// </summary>
+    /// <returns>A line for each fault; empty where the managers fit together.</returns>
+    public IReadOnlyList<string> FindWiringFaults() => Workspace.FindFaults(_managers, _options);
+
     /// <summary>The managers, in the order of their start.</summary>
     public IEnumerator<RabitManager> GetEnumerator() => _managers.GetEnumerator();
 

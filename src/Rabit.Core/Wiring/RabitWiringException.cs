@@ -9,7 +9,9 @@ namespace Rabit.Core;
 /// </summary>
 public sealed class RabitWiringException : Exception
 {
-    internal RabitWiringException(IReadOnlyList<string> faults)
+    /// <summary>For programs that check several reactors, and report the faults of all.</summary>
+    /// <param name="faults">Those of <see cref="RabitReactor.FindWiringFaults"/>.</param>
+    public RabitWiringException(IReadOnlyList<string> faults)
         : base("The managers cannot be wired:" + string.Concat(faults.Select(f => "\n- " + f))) => Faults = faults;
 
     /// <summary>One line for each fault, with the names of the managers, messages and queues.</summary>

@@ -197,6 +197,13 @@ public sealed class RabitWorkspace
         }
     }
 
+    /// <summary>What is wrong with what all managers declared; ties nothing.</summary>
+    internal IReadOnlyList<string> FindFaults(IReadOnlyList<RabitManager> managers, ReactorOptions options)
+    {
+        lock (_gate)
+            return FindFaults(new WiringGraph(managers, _outsideDeclarations), options);
+    }
+
     /// <summary>Checks what all managers declared and ties their endpoints together.</summary>
     /// <exception cref="RabitWiringException">It does not fit together.</exception>
     internal void Wire(IReadOnlyList<RabitManager> managers, ReactorOptions options, RunClock clock, RabitLog log)
@@ -204,12 +211,7 @@ public sealed class RabitWorkspace
         lock (_gate)
         {
             var wiring = new WiringGraph(managers, _outsideDeclarations);
-            List<string> faults = WiringCheck.FindFaults(wiring, options.Time, _trusted, _absent);
-            List<string> shared = WiringCheck.FindSharedValues(wiring, _trusted);
-            if (options.RefusesMutableQueueTypes)
-                faults.AddRange(shared);
-            else
-                wiring.Notes.AddRange(shared);
+            List<string> faults = FindFaults(wiring, options);
             if (faults.Count > 0)
                 throw new RabitWiringException(faults);
 
@@ -269,6 +271,18 @@ public sealed class RabitWorkspace
     {
         lock (_gate)
             return _pools.Distinct().Select(p => p.FindLeak()).OfType<string>().ToList();
+    }
+
+    // Under _gate.
+    private List<string> FindFaults(WiringGraph wiring, ReactorOptions options)
+    {
+        List<string> faults = WiringCheck.FindFaults(wiring, options.Time, _trusted, _absent);
+        List<string> shared = WiringCheck.FindSharedValues(wiring, _trusted);
+        if (options.RefusesMutableQueueTypes)
+            faults.AddRange(shared);
+        else
+            wiring.Notes.AddRange(shared);
+        return faults;
     }
 
     private IEnumerable<IQueueDeclaration> SendersOf(string queue)

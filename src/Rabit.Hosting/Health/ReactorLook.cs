@@ -16,6 +16,12 @@ internal sealed class ReactorLook
     /// <summary>MANAGER.state, .runs, .faults, .restarts, .hangs and .missedDeadlines of each manager.</summary>
     public IReadOnlyDictionary<string, object> Data => _data;
 
+    /// <summary>What the reactor does, in its own words; null where it says nothing.</summary>
+    public string? Description { get; set; }
+
+    /// <summary>For the one line of a service manager.</summary>
+    public string StatusLine => Description is null ? ToString() : $"{Description}; {this}";
+
     public void Add(ReactorCondition condition, string reason)
     {
         _reasons.Add(reason);

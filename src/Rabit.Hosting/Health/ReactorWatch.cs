@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Threading.Tasks;
 using Rabit.Core;
@@ -11,6 +12,7 @@ namespace Rabit.Hosting;
 internal sealed class ReactorWatch(HostedReactors reactors, string name)
 {
     private readonly List<ManagerStatusWatch> _managers = [];
+    private Func<string?>? _describe;
 
     /// <summary>What there is to see now.</summary>
     public ReactorLook Look()
@@ -34,9 +36,11 @@ internal sealed class ReactorWatch(HostedReactors reactors, string name)
         {
             foreach (RabitManager manager in reactor.Reactor)
                 _managers.Add(new ManagerStatusWatch(manager.Name, reactor.Reactor.Workspace));
+            _describe = reactors.DescriptionOf(name)?.Invoke(reactor.Reactor);
         }
 
         _managers.ForEach(m => m.Look(look));
+        look.Description = _describe?.Invoke();
         return look;
     }
 }

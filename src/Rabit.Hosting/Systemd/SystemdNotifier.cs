@@ -95,7 +95,7 @@ internal sealed class SystemdNotifier(
     {
         lock (_gate)
         {
-            string status = string.Join("; ", _watches.Select(w => w.Look().ToString())).Replace('\n', ' ');
+            string status = string.Join("; ", _watches.Select(w => w.Look().StatusLine)).Replace('\n', ' ');
             if (_isStopping || status == _status)
                 return;
             _status = status;

@@ -10,6 +10,11 @@ namespace Rabit.Hosting.Tests.Api;
 public sealed class PublicApiTests
 {
     [Fact]
+    public void PublicSurface_OfUavHosting_IsThatOfTheFile()
+        => PublicApiText.AssertUnchanged(
+            typeof(Rabit.Uav.Hosting.RabitUavBuilder).Assembly, "tests/Rabit.Hosting.Tests/Api/PublicApi.Uav.txt");
+
+    [Fact]
     public void PublicSurface_OfTheAssembly_IsThatOfTheFile()
         => PublicApiText.AssertUnchanged(typeof(RabitBuilder).Assembly, "tests/Rabit.Hosting.Tests/Api/PublicApi.txt");
 }
