@@ -48,7 +48,7 @@ public sealed class RabitBuilder
 
     /// <summary>
     /// Has a function make the reactor, with managers of its own: those that are added here come after them. What the
-    /// reactor is made of is disposed by whoever made it.
+    /// reactor is made of is disposed by the code that made it.
     /// </summary>
     /// <param name="create">
     /// Called once, on the thread that starts the host, with the options of the host; it passes them on. An

@@ -11,7 +11,7 @@ public static class RabitUavHealthChecksBuilderExtensions
 {
     /// <summary>
     /// Checks the health of the vehicle, as Health Monitoring reports it: degraded at a warning and while nothing is
-    /// known, unhealthy where it is critical or nobody reports. The data has <c>level</c>, <c>reasons</c> (the names
+    /// known, unhealthy where it is critical or without a report. The data has <c>level</c>, <c>reasons</c> (the names
     /// of <see cref="Messages.HealthReasons"/>), <c>advice</c>, <c>adviceText</c> and <c>sendsHeartbeat</c>.
     /// </summary>
     /// <param name="builder">Of the host.</param>
