@@ -58,8 +58,8 @@ public sealed class TargetClass
     public double MinColourShare { get; init; } = 1;
 
     /// <summary>
-    /// Its colour, which <see cref="ImageProcessing.ColourTargetDetector"/> needs, and which must differ from those of the other
-    /// classes; other detectors may leave it null.
+    /// Its colour, which <see cref="ImageProcessing.ColourTargetDetector"/> needs, and which must differ from those of
+    /// the other classes; other detectors may leave it null.
     /// </summary>
     public ColourRange? Colour { get; init; }
 
