@@ -278,10 +278,7 @@ public sealed class RabitWorkspace
     {
         List<string> faults = WiringCheck.FindFaults(wiring, options.Time, _trusted, _absent);
         List<string> shared = WiringCheck.FindSharedValues(wiring, _trusted);
-        if (options.RefusesMutableQueueTypes)
-            faults.AddRange(shared);
-        else
-            wiring.Notes.AddRange(shared);
+        (options.RefusesMutableQueueTypes ? faults : wiring.Notes).AddRange(shared);
         return faults;
     }
 
