@@ -39,12 +39,16 @@ internal abstract class DeviceActivity(
 
     protected RabitLog? Log { get; private set; }
 
+    /// <summary>Its manager, which may lend its units of work.</summary>
+    protected ManagerActivity Lender { get; private set; } = null!;
+
     protected bool HasFinished => Health.State is DeviceState.Ended or DeviceState.Faulted;
 
-    public void Connect(RunClock clock, RabitLog log)
+    public void Connect(RunClock clock, RabitLog log, ManagerActivity lender)
     {
         Clock = clock;
         Log = log;
+        Lender = lender;
     }
 
     public override void Begin() => Volatile.Write(ref _hasBegun, true);

@@ -69,10 +69,21 @@ internal sealed class ReaderActivity<T>(
         if (queue.FullMode == QueueFullMode.Wait)
             return TryHandOver((LockedQueue<T>)queue);
 
-        // The counters of the queue hold what was rejected or dropped.
-        if (queue.Push(_value) == PushResult.Rejected)
-            Discard();
-        _holdsValue = false;
+        // Before the push, which otherwise wakes the manager's thread.
+        bool runsManager = Lender.TryBorrow();
+        try
+        {
+            // The counters of the queue hold what was rejected or dropped.
+            if (queue.Push(_value) == PushResult.Rejected)
+                Discard();
+            _holdsValue = false;
+        }
+        finally
+        {
+            if (runsManager)
+                Lender.RunBorrowed();
+        }
+
         return true;
     }
 

@@ -1,5 +1,6 @@
 using System;
 using System.Diagnostics.Tracing;
+using System.Linq;
 using System.Threading;
 using Rabit.Core.Devices;
 using Rabit.Core.Diagnostics;
@@ -17,7 +18,7 @@ namespace Rabit.Core.Managers;
 /// <see cref="HasStoppedAlone"/> and the lists, which the reactor reads, and <see cref="Hangs"/>, by which the watchdog
 /// looks at it.
 /// </summary>
-internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun run)
+internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun run, bool lends = false)
     : Activity(manager.Name, manager.WakeUpEvent)
 {
     private readonly FaultFollowUp _followUp = new(manager, run);
@@ -27,7 +28,7 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
     private bool _isUp;               // a start-up that has no shutdown yet
     private ManagerStage _stage;      // as last entered
     private ManagerState _state;      // as last posted
-    private ConsumedWakeUps _kept;            // wakes that came before a restart, for the first run after it
+    private ConsumedWakeUps _kept;            // wakes that came before a restart or in a back-off, for the run after it
     private bool _isFirstRun;         // after a restart
     private TimeSpan _lastEnd;        // when the last stage ended: read from the clock once, used for all
     private TimeSpan _due;            // when the timer is to wake, set with each run
@@ -53,6 +54,13 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
     /// <summary>As <see cref="Runs"/>.</summary>
     public long Restarts { get; private set; }
 
+    /// <summary>Lets its readers and writers know the run. Before anything begins.</summary>
+    public void ConnectDevices()
+    {
+        foreach (DeviceActivity device in manager.Readers.Concat(manager.Writers))
+            device.Connect(run.Clock, run.Log, this);
+    }
+
     public override void Begin()
     {
         Volatile.Write(ref _hasBegun, true);
@@ -61,6 +69,14 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
     }
 
     public override NextStep RunStep(ConsumedWakeUps wakes, TimeSpan? wokenAt)
+    {
+        NextStep next = HasLoanLeft(ref wakes) ? _afterLoan : Step(wakes, wokenAt);
+        _ownDue = next.Due;
+        return next;
+    }
+
+    // On the manager's thread, or that of a reader that has borrowed it.
+    private NextStep Step(ConsumedWakeUps wakes, TimeSpan? wokenAt)
     {
         ComeBack();
         if (_followUp.IsHalted)
@@ -74,11 +90,12 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
             return begin < _followUp.ResumeAt ? NextStep.OnlyAt(_followUp.ResumeAt) : Restart();
         }
 
+        wakes = _kept.With(wakes);
+        _kept = default;
         if (_isFirstRun)
         {
             _isFirstRun = false;
-            wakes = _kept.With(wakes).FirstAfterRestart();
-            _kept = default;
+            wakes = wakes.FirstAfterRestart();
         }
 
         if (run.Log.LogsRuns)
@@ -86,7 +103,7 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
         if (!Execute(ManagerStage.UnitOfWork, ManagerState.Running, begin, wakes, wokenAt))
             return AfterFault();
         _followUp.OnSuccessfulRun();
-        return NextStep.At(_due, notBefore: _lastEnd, manager.SpinBeforeSleep);
+        return NextStep.At(_due, notBefore: _lastEnd, manager.SpinBeforeSleep, LendsItself);
     }
 
     public override void End()

@@ -15,7 +15,8 @@ namespace Rabit.Core;
 /// own in virtual time) and meets others only through messages and queues.
 /// </summary>
 /// <remarks>
-/// <see cref="Startup"/>, <see cref="ExecuteUnitOfWork"/> and <see cref="Shutdown"/> run on the manager's thread.
+/// <see cref="Startup"/>, <see cref="ExecuteUnitOfWork"/> and <see cref="Shutdown"/> run on the manager's thread (units
+/// of work also on those of its readers, where it allows that: <see cref="RunsOnReaders"/>).
 /// Between units of work it sleeps until something wakes it: the timer, a post, push or pop that it asked to be woken
 /// by, or <see cref="WakeUp"/>. Wake-ups do not stack: any number that come during a unit of work cause exactly one
 /// more.

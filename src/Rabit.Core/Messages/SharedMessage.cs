@@ -19,7 +19,7 @@ namespace Rabit.Core.Messages;
 /// </remarks>
 [SuppressMessage("Reliability", "CA1001:Types that own disposable fields should be disposable",
     Justification = "A source of cancellation without a timer or a wait handle holds nothing that must be released.")]
-internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) : IConnector
+internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) : IConnector, IObservedMessage
 {
     private readonly object _targetsGate = new();
     private readonly CancellationTokenSource _closed = new();
@@ -34,6 +34,11 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) :
     public int Version => Volatile.Read(ref _version);
 
     public abstract LocalCopy<T> CreateCopy();
+
+    /// <summary>Version and time of the latest post, without its value.</summary>
+    public abstract MessageStamp ReadStamp();
+
+    public MessageObserver Observe() => new TypedMessageObserver<T>(this);
 
     public void AddTarget(PostTarget target)
     {

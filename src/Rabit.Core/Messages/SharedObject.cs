@@ -35,6 +35,12 @@ internal sealed class SharedObject<T> : SharedMessage<T>
             return new LocalCopy<T>(CloneOf(_initial)) { Spare = CloneOf(_initial) };
     }
 
+    public override MessageStamp ReadStamp()
+    {
+        lock (_gate)
+            return new MessageStamp(Version, _time);
+    }
+
     public override void Assign(LocalCopy<T> copy, in T value)
     {
         if (ReferenceEquals(value, copy.Value))

@@ -73,6 +73,31 @@ internal sealed class SharedValue<T> : SharedMessage<T>
 
     public override LocalCopy<T> CreateCopy() => new(_initial);
 
+    public override MessageStamp ReadStamp()
+    {
+        for (int i = 0; i < _tries; i++)
+        {
+            if (TryReadStamp(out MessageStamp stamp))
+                return stamp;
+        }
+
+        // As LoadLocked.
+        lock (_gate)
+        {
+            if (_tries == 0)
+                return new MessageStamp(Version, SlotOf(Version).Time);
+            Volatile.Write(ref _starvedReaders, true);
+            MessageStamp stamp;
+            while (!TryReadStamp(out stamp))
+            {
+                // See there.
+            }
+
+            Volatile.Write(ref _starvedReaders, false);
+            return stamp;
+        }
+    }
+
     protected override int Store(LocalCopy<T> copy, TimeSpan time)
     {
         if (_isAlone && !Volatile.Read(ref _starvedReaders))
@@ -138,6 +163,16 @@ internal sealed class SharedValue<T> : SharedMessage<T>
         ref Slot slot = ref SlotOf(version);
         copy.Value = slot.Value;
         copy.Time = slot.Time;
+        OptimisticRead.LoadBarrier();
+        return slot.Begun == version;
+    }
+
+    // As TryRead: the time of a slot in which a post has begun meanwhile is thrown away.
+    private bool TryReadStamp(out MessageStamp stamp)
+    {
+        int version = Version;
+        ref Slot slot = ref SlotOf(version);
+        stamp = new MessageStamp(version, slot.Time);
         OptimisticRead.LoadBarrier();
         return slot.Begun == version;
     }

@@ -6,6 +6,9 @@ namespace Rabit.Core;
 /// <content>What the managers do and how long their steps take, for people.</content>
 public sealed partial class RabitReactor
 {
+    /// <summary>What the outside knows the run by (<see cref="ReactorOptions.Name"/>). Any thread.</summary>
+    public string Name => _options.Name;
+
     /// <summary>
     /// How long the steps of a manager took in real time. In virtual time, where the status holds virtual durations, it
     /// is measured beside them and is never posted or logged. Any thread.

@@ -287,9 +287,9 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
                 StopDelay = _stop
             };
             manager.Attach(run);
-            foreach (DeviceActivity device in manager.Readers.Concat(manager.Writers))
-                device.Connect(_clock, _log);
-            _activities.Add(new ManagerActivity(manager, run));
+            var activity = new ManagerActivity(manager, run, lends: _engine.HasThreads && manager.RunsOnReaders);
+            activity.ConnectDevices();
+            _activities.Add(activity);
             runs.Add(run);
         }
 

@@ -9,6 +9,9 @@ namespace Rabit.Core.Reactors;
 /// </summary>
 internal abstract class ReactorEngine : IDisposable
 {
+    /// <summary>Whether each activity has a thread.</summary>
+    public virtual bool HasThreads => false;
+
     /// <summary>Lets an activity begin and returns when it has, or when a stop was requested.</summary>
     public abstract void Begin(Activity activity);
 

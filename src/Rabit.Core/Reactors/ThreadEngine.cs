@@ -22,6 +22,8 @@ internal sealed class ThreadEngine(EngineContext context, WaitEngine waitEngine)
     private bool _stopRequested;
     private TimeSpan _runLimit = TimeSpan.MaxValue;
 
+    public override bool HasThreads => true;
+
     public override void Begin(Activity activity)
     {
         var thread = new ActivityThread(

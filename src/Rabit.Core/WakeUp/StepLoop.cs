@@ -44,10 +44,12 @@ internal sealed class StepLoop<TSync>(
         wokenAt = null;
         TimeSpan spun = next.Spin > TimeSpan.Zero && permit?.IsGiven != false ? Spin(next) : default;
         bool mayBeOver = (next.Due - next.NotBefore).Ticks < ShortSleepTicks || spun > TimeSpan.Zero;
-        while (wakeUp.TryPrepareToWait(next.Wanted))
+        while (wakeUp.TryPrepareToWait(next.Wanted, next.Lends))
         {
             if (!mayBeOver || clock.Now < next.Due)
                 signal.Wait(next.Due);
+            while (next.Lends && !wakeUp.TakeBack())
+                signal.Wait(TimeSpan.MaxValue);
             if (wakeUp.Has(next.Wanted))
             {
                 wokenAt = wakeUp.WokenAt;

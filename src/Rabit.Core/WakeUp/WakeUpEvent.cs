@@ -23,7 +23,7 @@ namespace Rabit.Core.WakeUp;
 /// signal and ends the next wait early; the sleeper must check again, and does.
 /// The tests explore every interleaving of this very code (docs/concepts/proof.md).
 /// </remarks>
-internal class WakeUpEvent<TSync>
+internal partial class WakeUpEvent<TSync>
     where TSync : struct, ISyncPoints
 {
     public const int Stop = 256;
@@ -34,8 +34,8 @@ internal class WakeUpEvent<TSync>
     // These wake even a sleeper that waits for them alone and already holds other causes.
     private const int Urgent = Stop | (int)WakeUpCauses.Start;
     private const int Asleep = 512;
-    private const int OneWake = 1024;
-    private const uint CountIsFull = 0xFFFF_FC00;
+    private const int OneWake = 8192;
+    private const uint CountIsFull = 0xFFFF_E000;
 
     private const long NotSet = -1;
 
@@ -72,15 +72,18 @@ internal class WakeUpEvent<TSync>
     public void RequestStop() => Wake(Stop, now: null);
 
     /// <summary>Prepares to wait: marks the sleeper asleep, unless one of the wanted causes is already set.</summary>
+    /// <param name="wanted">The causes.</param>
+    /// <param name="lends">Whether others may do its work while it sleeps; it wants any cause then.</param>
     /// <returns>False when there is something to consume now.</returns>
-    public bool TryPrepareToWait(int wanted)
+    public bool TryPrepareToWait(int wanted, bool lends = false)
     {
+        int mark = lends ? Lendable : Asleep;
         int seen = default(TSync).VolatileRead(ref _state);
         while ((seen & wanted) == 0)
         {
             // Before the mark: a waker writes its time after it has found the mark.
             default(TSync).InterlockedWrite(ref _wokenAtTicks, NotSet);
-            int found = default(TSync).CompareExchange(ref _state, seen | Asleep, seen);
+            int found = default(TSync).CompareExchange(ref _state, seen | mark, seen);
             if (found == seen)
                 return true;
             seen = found;

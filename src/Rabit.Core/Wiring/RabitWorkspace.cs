@@ -18,7 +18,7 @@ namespace Rabit.Core;
 /// <remarks>
 /// An endpoint made here may be used by any one thread at a time; a manager's endpoints are made by the manager.
 /// </remarks>
-public sealed class RabitWorkspace
+public sealed partial class RabitWorkspace
 {
     private const string OutsideName = "outside";
 

@@ -69,6 +69,8 @@ public sealed partial class CommunicationsManager : RabitManager
             _recordingStatus = Publish<RecordingStatus>(MessageNames.Recording);
         }
 
+        // A frame is forwarded by the thread that has read it.
+        RunsOnReaders = true;
         foreach (IByteLink link in _options.Links)
             AddLink(link);
         foreach (RecordedFile file in _options.RecordedFiles)

@@ -50,6 +50,12 @@ internal sealed class ScriptedManager : RabitManager
         set => base.SpinBeforeSleep = value;
     }
 
+    public new bool RunsOnReaders
+    {
+        get => base.RunsOnReaders;
+        set => base.RunsOnReaders = value;
+    }
+
     public new TimeSpan? Period
     {
         get => base.Period;

@@ -63,6 +63,35 @@ public sealed class TornValueTests
         Assert.All(news, n => Assert.True(n > 0));
     }
 
+    [Fact, Trait("Clause", "2.4")]
+    public void ReadStamp_PosterFlatOut_IsThatOfOnePost()
+    {
+        using var run = new TestRun(TimeKind.Real);
+        ScriptedManager poster = run.Add("poster");
+        MessagePublisher<int> publisher = poster.Publish<int>("number");
+        int done = 0;
+        poster.OnUnit = () =>
+        {
+            for (int i = 1; i <= Posts; i++)
+                publisher.PostStamped(i, new TimeSpan(i));
+            Interlocked.Increment(ref done);
+        };
+
+        run.Start();
+        MessageObserver observer = Assert.Single(
+            run.Reactor.Workspace.ObserveMessages(), m => m.ValueType == typeof(int));
+        for (int last = 0; last < Posts;)
+        {
+            MessageStamp stamp = observer.ReadStamp();
+            Assert.Equal(stamp.Version, stamp.Time.Ticks);
+            Assert.True(stamp.Version >= last, "an older one");
+            last = stamp.Version;
+        }
+
+        run.Until(() => Volatile.Read(ref done) == 1, "poster comes to the end");
+        Assert.Equal(0, run.Finish().ExitCode);
+    }
+
     /// <summary>72 bytes: longer than a cache line, so that no processor copies it in one piece.</summary>
     private readonly struct Block(long number)
     {

@@ -41,7 +41,7 @@ public sealed class WakeUpEventTests
     [Fact, Trait("Clause", "1.4")]
     public void Wake_MoreThanTheCounterHolds_KeepsTheCausesAndStaysAtTheLimit()
     {
-        const int Limit = (1 << 22) - 1;
+        const int Limit = (1 << 19) - 1;
         var wakeUp = new WakeUpEvent();
         for (int i = 0; i < Limit + 10; i++)
             wakeUp.Wake(WakeUpCauses.Push);
