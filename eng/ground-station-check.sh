@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# docs/ground-stations.md against node-mavlink, an independent library: UavConsole flies SimulatedVehicle, two processes with UDP between them,
+# docs/ground-stations.md against node-mavlink, an independent library: UavConsole flies "rabit simulate", two processes with UDP between them,
 # and a station of node-mavlink lists and sets the parameters of component 191, commands it and uploads a fence to it. Two more, at once, connect to
 # UavConsole as to a vehicle and do with the autopilot what stock ground stations do. Needs node and npm; where they are missing, or npm cannot
 # fetch the package, it says so and nothing is checked.
@@ -26,7 +26,7 @@ if ! loads; then
 fi
 
 dotnet build -v quiet samples/UavConsole
-dotnet build -v quiet samples/SimulatedVehicle
+dotnet build -v quiet src/Rabit.Tool
 
 work=$(mktemp -d)
 vehicle="" console=""
@@ -46,7 +46,7 @@ read -r port station stations < <(node -e '
 mission=$PWD/samples/UavConsole/missions/search.json
 root=$PWD
 cd "$work"
-dotnet "$root/artifacts/bin/SimulatedVehicle/debug/SimulatedVehicle.dll" --link "udpout:127.0.0.1:$port" --mission "$mission" > vehicle.txt 2>&1 &
+dotnet "$root/artifacts/bin/Rabit.Tool/debug/Rabit.Tool.dll" simulate --link "udpout:127.0.0.1:$port" --mission "$mission" > vehicle.txt 2>&1 &
 vehicle=$!
 dotnet "$root/artifacts/bin/UavConsole/debug/UavConsole.dll" --link "udpin:127.0.0.1:$port" --link "udpout:127.0.0.1:$station" --link "udpin:127.0.0.1:$stations" --mission "$mission" \
     --fly --without-detection --headless > console.txt 2>&1 &

@@ -17,11 +17,15 @@ using System.Xml.Linq;
 // deterministic build does not know where its sources are.
 var allowed = new Dictionary<string, string[]>(StringComparer.Ordinal);
 var packages = new List<string>();
+var tools = new HashSet<string>(StringComparer.Ordinal);
 foreach (string line in File.ReadLines("eng/packages.txt").Where(line => line.Length != 0 && line[0] != '#'))
 {
     string[] columns = line.Split(' ', StringSplitOptions.RemoveEmptyEntries);
     packages.Add(columns[0]);
-    allowed[columns[0] + "/net10.0"] = columns[1] == "-" ? [] : columns[1].Split(',');
+    if (columns[1] == "tool")
+        tools.Add(columns[0]);
+    if (columns[1] != "none")
+        allowed[columns[0] + "/net10.0"] = columns[1] is "-" or "tool" ? [] : columns[1].Split(',');
     if (columns[2] != "none")
         allowed[columns[0] + "/.NETStandard2.0"] = columns[2] == "-" ? [] : columns[2].Split(',');
 }
@@ -43,7 +47,9 @@ foreach (string id in packages)
     if (args.Length > 1)
     {
         Compare(files[0]);
-        Compare(Path.ChangeExtension(files[0], ".snupkg"));
+        string symbols = Path.ChangeExtension(files[0], ".snupkg");
+        if (File.Exists(symbols))
+            Compare(symbols);
     }
 }
 
@@ -56,6 +62,7 @@ void Inspect(string id, string file)
 {
     using ZipArchive package = ZipFile.OpenRead(file);
     XElement metadata = Metadata(package);
+    bool isTemplates = !allowed.ContainsKey(id + "/net10.0");
     string[] frameworks = allowed.ContainsKey(id + "/.NETStandard2.0") ? ["net10.0", "netstandard2.0"] : ["net10.0"];
     string Text(string name) => metadata.Elements().FirstOrDefault(e => e.Name.LocalName == name)?.Value ?? "";
 
@@ -68,8 +75,11 @@ void Inspect(string id, string file)
                 .Any(e => e.Name.LocalName == "license" && e.Attribute("type")?.Value == "expression"),
         "licence expression");
     Check(
-        Text("readme") == "README.md" && Read(package, "README.md").Contains("```csharp", StringComparison.Ordinal),
-        "readme with a program");
+        Text("readme") == "README.md"
+            && Read(package, "README.md").Contains(
+                isTemplates ? "dotnet new" : tools.Contains(id) ? "dotnet tool install" : "```csharp",
+                StringComparison.Ordinal),
+        tools.Contains(id) ? "readme with its installation" : "readme with a program");
     Check(
         Text("icon") == "icon.png" && Bytes(package, "icon.png") is [0x89, (byte)'P', (byte)'N', (byte)'G', ..],
         "icon");
@@ -77,13 +87,21 @@ void Inspect(string id, string file)
         Text("releaseNotes").Contains("CHANGELOG.md", StringComparison.Ordinal)
             && package.GetEntry("CHANGELOG.md") is not null,
         "release notes");
-    foreach (ZipArchiveEntry assembly
-        in package.Entries.Where(e => e.FullName.EndsWith(".dll", StringComparison.Ordinal)))
+    if (isTemplates)
+    {
+        InspectTemplates(id, package, Text("version"));
+        return;
+    }
+
+    foreach (ZipArchiveEntry assembly in package.Entries.Where(
+        e => e.Name.StartsWith("Rabit.", StringComparison.Ordinal) && e.Name.EndsWith(".dll", StringComparison.Ordinal)))
         Check(
             PathOfSymbols(Bytes(package, assembly.FullName)) is var path
                 && (path.StartsWith("/_", StringComparison.Ordinal) || Path.GetFileName(path) == path),
             $"freedom from the packer's paths: {assembly.FullName} says {path}");
-    foreach (string framework in frameworks)
+    if (tools.Contains(id))
+        InspectTool(id, package, metadata);
+    foreach (string framework in frameworks.Where(_ => !tools.Contains(id)))
     {
         Check(package.GetEntry($"lib/{framework}/{id}.dll") is not null, $"assembly for {framework}");
         Check(
@@ -98,7 +116,7 @@ void Inspect(string id, string file)
         using ZipArchive pdbs = ZipFile.OpenRead(symbols);
         foreach (string framework in frameworks)
         {
-            string pdb = $"lib/{framework}/{id}.pdb";
+            string pdb = tools.Contains(id) ? $"tools/{framework}/any/{id}.pdb" : $"lib/{framework}/{id}.pdb";
             Check(pdbs.GetEntry(pdb) is not null, $"symbols for {framework}");
             if (pdbs.GetEntry(pdb) is not null)
                 InspectSources(id, framework, Bytes(pdbs, pdb));
@@ -142,6 +160,45 @@ void Inspect(string id, string file)
         if (!holds)
             faults.Add($"{id}: has no {what}");
     }
+}
+
+// Files that "dotnet new" makes a project of: of all templates of the sources, each with the version of this package, and
+// nothing else.
+void InspectTemplates(string id, ZipArchive package, string version)
+{
+    XElement metadata = Metadata(package);
+    if (!metadata.Descendants().Any(e => e.Name.LocalName == "packageType" && e.Attribute("name")?.Value == "Template"))
+        faults.Add($"{id}: is no package of templates");
+    if (metadata.Descendants().Any(e => e.Name.LocalName == "dependency"))
+        faults.Add($"{id}: depends on packages");
+    foreach (string unwanted in package.Entries.Select(e => e.FullName)
+        .Where(n => n.StartsWith("lib/", StringComparison.Ordinal) || n.Contains("/obj/") || n.Contains("/bin/")))
+        faults.Add($"{id}: has {unwanted}");
+    foreach (string template in Directory.GetDirectories($"src/{id}/templates").Select(f => Path.GetFileName(f)))
+    {
+        if (package.GetEntry($"content/{template}/.template.config/template.json") is null)
+            faults.Add($"{id}: has no template {template}");
+        if (!Read(package, $"content/{template}/Directory.Packages.props").Contains(
+            $"<RabitVersion>{version}</RabitVersion>", StringComparison.Ordinal))
+            faults.Add($"{id}: {template} does not ask for version {version}");
+    }
+}
+
+// What "dotnet tool install" needs: the type of the package, the settings with the command, and all in one folder.
+void InspectTool(string id, ZipArchive package, XElement metadata)
+{
+    const string Folder = "tools/net10.0/any/";
+    if (!metadata.Descendants()
+        .Any(e => e.Name.LocalName == "packageType" && e.Attribute("name")?.Value == "DotnetTool"))
+        faults.Add($"{id}: is no DotnetTool");
+    string settings = Read(package, Folder + "DotnetToolSettings.xml");
+    if (!settings.Contains($"EntryPoint=\"{id}.dll\"", StringComparison.Ordinal)
+        || package.GetEntry($"{Folder}{id}.dll") is null)
+        faults.Add($"{id}: has no program");
+    foreach (ZipArchiveEntry other in package.Entries.Where(e => e.FullName.StartsWith("lib/", StringComparison.Ordinal)
+        || (e.FullName.StartsWith("tools/", StringComparison.Ordinal)
+            && !e.FullName.StartsWith(Folder, StringComparison.Ordinal))))
+        faults.Add($"{id}: is a tool, and has {other.FullName}");
 }
 
 // Every source is in the symbols, and under no path of the machine that packed.

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the checks need beside the .NET SDK, where it is missing: Mono (the second runtime), socat (serial
-# links are tested over its pairs of pseudo-terminals), libturbojpeg (the benchmark of JPEG decoding compares with it) and
-# Chromium (the live page is tested in it).
+# links are tested over its pairs of pseudo-terminals), libturbojpeg (the benchmark of JPEG decoding compares with it),
+# Chromium (the live page is tested in it) and systemd (its systemd-analyze checks the unit files).
 set -euo pipefail
 
 # A Mono without this facade runs, but no library for netstandard2.0: Debian has it in mono-devel, not in mono-runtime.
@@ -23,8 +23,9 @@ has_mono || missing+=(mono-devel)
 command -v socat > /dev/null || missing+=(socat)
 has_turbojpeg || missing+=(libturbojpeg0)
 has_chromium || missing+=(chromium)
+command -v systemd-analyze > /dev/null || missing+=(systemd)
 if [ ${#missing[@]} -eq 0 ]; then
-    echo "Mono, socat, libturbojpeg and Chromium are there."
+    echo "Mono, socat, libturbojpeg, Chromium and systemd-analyze are there."
     exit 0
 fi
 

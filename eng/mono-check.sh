@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Rabit under Mono: builds tests and samples for net472 (into artifacts-mono/), runs every test project but the longer tests,
-# and compares what the samples print with what they print under .NET.
+# Rabit under Mono: builds tests, samples and the tool for net472 (into artifacts-mono/), runs every test project but the longer
+# tests, and compares what the samples and the tool print with what they print under .NET.
 # Ends with one line, "N passed, N failed": each test and each comparison counts as one.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -71,9 +71,10 @@ attribute() {
 
 # The steps of a comparison are joined by &&: what an "if" calls does not stop at an error by itself.
 prints_the_same() {
-    local name=$1
+    local folder=$1 name
+    name=$(basename "$folder")
     shift
-    dotnet run --project "samples/$name" -- "$@" > "$results/$name.net.txt" &&
+    dotnet run --project "$folder" -- "$@" > "$results/$name.net.txt" &&
     mono "artifacts-mono/bin/$name/debug/$name.exe" "$@" > "$results/$name.mono.txt" &&
     diff -u "$results/$name.net.txt" "$results/$name.mono.txt"
 }
@@ -135,18 +136,21 @@ for project in tests/*/*.csproj; do
     fi
 done
 
-for project in samples/*/*.csproj; do
+for project in samples/*/*.csproj src/Rabit.Tool/Rabit.Tool.csproj; do
+    if [ "$(property "$project" RabitRunsOnMono)" = false ]; then
+        continue
+    fi
     check "build of $project" build_for_mono "$project"
 done
 
 check "Rabit.Latency works" latencies_work
 check "the small samples print what they should" eng/samples-check.sh --mono
-check "CustomDialect prints the same" prints_the_same CustomDialect
-check "Wheelchair prints the same" prints_the_same Wheelchair --virtual
+check "CustomDialect prints the same" prints_the_same samples/CustomDialect
+check "Wheelchair prints the same" prints_the_same samples/Wheelchair --virtual
 check "OrderBugSearch finds the same" order_bug_is_the_same
-check "MavlinkDump prints the same" prints_the_same MavlinkDump tests/data/mavlink/px4-flight.tlog
-check "MavlinkDump prints the same values" prints_the_same MavlinkDump tests/data/mavlink/px4-flight.tlog --print
-check "MavlinkDump prints the same JSON" prints_the_same MavlinkDump tests/data/mavlink/ardupilot-flight.tlog --json
+check "rabit mavlink prints the same" prints_the_same src/Rabit.Tool mavlink tests/data/mavlink/px4-flight.tlog
+check "rabit mavlink prints the same values" prints_the_same src/Rabit.Tool mavlink tests/data/mavlink/px4-flight.tlog --print
+check "rabit mavlink prints the same JSON" prints_the_same src/Rabit.Tool mavlink tests/data/mavlink/ardupilot-flight.tlog --json
 for flight in "${flights[@]}"; do
     check "the summary of $flight is the same" flight_is_the_same "$flight"
 done

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # The packages as users get them: packs them to artifacts/packages, looks into them, packs them once more in another folder
 # to show that the build is deterministic, and builds and runs small programs (eng/pack-check) against them under .NET and
-# Mono. eng/packages.txt lists the packages. With --quick the second build is left out.
+# Mono; installs the tool and runs it. eng/packages.txt lists the packages. With --quick the second build is left out.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 mapfile -t ids < <(sed -nE 's/^([A-Za-z][^ ]*).*/\1/p' eng/packages.txt)
+mapfile -t libraries < <(sed -nE '/ (none|tool) +none$/d; s/^([A-Za-z][^ ]*).*/\1/p' eng/packages.txt)
 version=$(dotnet msbuild src/Rabit.Core -getProperty:Version)
 packages=$PWD/artifacts/packages
 work=$PWD/artifacts/pack-check
@@ -43,12 +44,12 @@ rm -rf "$work"/packages/rabit.*   # a package of the same version, packed before
 export RabitVersion=$version          # read by the projects in eng/pack-check
 # What has no build for netstandard2.0 is used by the program for .NET only.
 RabitPackages=$(sed -nE '/ none$/d; s/^([A-Za-z][^ ]*).*/\1/p' eng/packages.txt | paste -sd';')
-RabitNetPackages=$(sed -nE '/ none$/!d; s/^([A-Za-z][^ ]*).*/\1/p' eng/packages.txt | paste -sd';')
+RabitNetPackages=$(sed -nE '/ (none|tool) +none$/d; / none$/!d; s/^([A-Za-z][^ ]*).*/\1/p' eng/packages.txt | paste -sd';')
 export RabitPackages RabitNetPackages
 dotnet build eng/pack-check -v quiet
 dotnet run --project eng/pack-check -f net10.0 --no-build > "$work/net.txt"
 cat "$work/net.txt"
-for id in "${ids[@]}"; do
+for id in "${libraries[@]}"; do
     file=${id,,}/$version/${id,,}.$version.nupkg
     if ! cmp "$work/packages/$file" "$packages/$id.$version.nupkg"; then
         echo "$id was restored from somewhere else." >&2
@@ -58,6 +59,27 @@ done
 
 mono "$work/bin/PackCheck/debug_net472/PackCheck.exe" > "$work/mono.txt"
 diff -u "$work/net.txt" "$work/mono.txt"
+
+echo "--- install the tool and run it"
+rm -rf "$work/tool"
+dotnet tool install Rabit.Tool --tool-path "$work/tool" --version "$version" --configfile eng/pack-check/nuget.config --no-cache
+rabit=$work/tool/rabit
+[ "$("$rabit" --version)" = "$version" ]
+"$rabit" --help | tee "$work/tool-help.txt"
+for command in mavlink geolocate simulate completion; do
+    grep -q "^  $command " "$work/tool-help.txt"
+    "$rabit" "$command" --help > /dev/null
+done
+"$rabit" mavlink tests/data/mavlink/ardupilot-flight.tlog > "$work/tool-table.txt"
+grep -q "^HEARTBEAT " "$work/tool-table.txt"
+"$rabit" mavlink tests/data/mavlink/ardupilot-flight.tlog --print | head -n 1
+"$rabit" geolocate docs/examples/geolocate/{camera,request}.json
+completions=$(bash -c 'PATH=$1:$PATH; eval "$(rabit completion bash)"; COMP_LINE="rabit geo" COMP_POINT=9 COMP_WORDS=(rabit geo); _rabit; echo "${COMPREPLY[@]}"' - "$work/tool")
+[ "$completions" = geolocate ]
+status=0
+"$rabit" mavlnk 2> "$work/tool-error.txt" || status=$?
+[ $status -eq 2 ]
+grep -q "did you mean 'mavlink'" "$work/tool-error.txt"
 
 echo "--- Rabit.Uav alone, central package versions, two namespaces"
 dotnet build eng/pack-check/central -v quiet
@@ -83,7 +105,7 @@ diff -u eng/pack-check/analyzers/expected.txt "$work/analyzers.txt"
 
 echo "--- compile the programs of their readmes"
 mkdir -p "$work/readme"
-for id in "${ids[@]}"; do
+for id in "${libraries[@]}"; do
     awk '/^```/ { if (inside) exit } inside { print } /^```csharp$/ { inside = 1 }' "src/$id/README.md" > "$work/readme/$id.cs"
     RabitPackage=$id dotnet build eng/pack-check/readme -v quiet
 done

@@ -154,9 +154,16 @@ internal static class CommandLine
         };
         foreach (Option option in PreflightArguments.All.Concat(OperatorArguments.All)
             .Concat(ReportArguments.All).Concat(RecordingArguments.All).Concat(AbandonedArguments.All)
-            .Concat(WebArguments.All))
+            .Concat(WebArguments.All).Concat(ConfigArguments.All))
             command.Add(option);
-        command.SetAction(result => FindFaults(result) is { Length: > 0 } faults ? Refuse(faults) : run(Read(result)));
+        command.SetAction(result =>
+        {
+            var faults = new List<string>();
+            Given given = Merge(result, faults);
+            if (faults.Count == 0)
+                faults.AddRange(FindFaults(result, given));
+            return faults.Count > 0 ? Refuse(faults) : run(Read(result, given));
+        });
         return command;
     }
 
@@ -169,67 +176,93 @@ internal static class CommandLine
         return BadInput;
     }
 
-    private static ConsoleOptions Read(ParseResult result) => new()
+    // Of the command line, and of the configuration file what that does not say.
+    private static Given Merge(ParseResult result, List<string> faults)
     {
-        Links = result.GetValue(Links) ?? [],
+        LinkUrl[] links = result.GetValue(Links) ?? [];
+        (Option, string)[] replaced =
+        [
+            (Links, "Links"), (Mission, "Mission"), (Camera, "Camera"), (Terrain, "Terrain"), (SignKey, "Signing"),
+            (TrustLink, "Signing:TrustedLinks"), (SystemId, "SystemId"),
+        ];
+        ConfigFile? config = ConfigArguments.Read(result, replaced.Concat(OperatorArguments.Replaced), links, faults);
+        bool mayCommand = config?.Options.MayCommand == true && !result.GetValue(Fly);
+        return new Given
+        {
+            Config = config,
+            Links = config?.Options.Links ?? links,
+            Flies = mayCommand
+                ? new Setting<bool>(true, config!.NameOf("MayCommand"))
+                : new Setting<bool>(result.GetValue(Fly), Fly.Name),
+            Mission = Given.TextOf(result.GetValue(Mission), Mission.Name, config, "Mission"),
+            Camera = Given.TextOf(result.GetValue(Camera), Camera.Name, config, "Camera"),
+            Terrain = Given.TextOf(result.GetValue(Terrain), Terrain.Name, config, "Terrain"),
+            SignKey = Given.TextOf(result.GetValue(SignKey), SignKey.Name, config, "Signing:KeyFile"),
+            TrustedLinks = result.GetValue(TrustLink) is { Length: > 0 } trusted
+                ? trusted
+                : Given.TrustedLinksOf(config),
+            IsWithoutDetection = PreflightArguments.IsWithoutDetection(result, config),
+        };
+    }
+
+    private static ConsoleOptions Read(ParseResult result, Given given) => new()
+    {
+        Config = given.Config,
+        Links = given.Links,
         IsHeadless = result.GetValue(Headless) || !LiveScreen.IsPossible(),
         IsRealTime = result.GetValue(RealTime),
-        Seed = result.GetValue(Seed) ?? 1,
+        Seed = result.GetValue(Seed) ?? (given.Config?.TextOf("Seed") is null ? 1 : given.Config.Options.Seed),
         TargetCount = result.GetValue(Targets) ?? 5,
         Autopilot = result.GetValue(Autopilot) == "px4" ? SimulatedAutopilot.Px4 : SimulatedAutopilot.ArduPilot,
-        MissionFile = result.GetValue(Mission),
-        Flies = result.GetValue(Fly),
-        CameraFolder = result.GetValue(Camera),
-        TerrainFile = result.GetValue(Terrain),
+        MissionFile = given.Mission.Value,
+        MissionOption = given.Mission.Name,
+        Flies = given.Flies.Value,
+        CameraFolder = given.Camera.Value,
+        TerrainFile = given.Terrain.Value,
         TruthFile = result.GetValue(TruthOption),
         SummaryFile = result.GetValue(Summary),
         ReportFile = result.GetValue(Report),
         LogFile = result.GetValue(Log),
-        SystemId = result.GetValue(SystemId),
-        SignKeyFile = result.GetValue(SignKey),
-        TrustedLinks = result.GetValue(TrustLink) ?? [],
+        SystemId = result.GetValue(SystemId) ?? given.Config?.Options.SystemId,
+        SignKeyFile = given.SignKey.Value,
+        TrustedLinks = given.TrustedLinks,
         Px4EventsFile = result.GetValue(Px4Events),
-        Preflight = PreflightArguments.Read(result),
-        Operator = OperatorArguments.Read(result, result.GetValue(Fly)),
+        Preflight = PreflightArguments.Read(result, given.Config),
+        Operator = OperatorArguments.Read(result, given.Flies.Value, given.Config),
         Reporting = ReportArguments.Read(result),
-        Recording = RecordingArguments.Read(result),
+        Recording = RecordingArguments.Read(result, given.Config),
         AbandonedStateFile = AbandonedArguments.Read(result),
         Web = WebArguments.Read(result),
         CommandLine = string.Join(" ", new[] { "UavConsole" }.Concat(result.Tokens.Select(t => t.Value))),
     };
 
     // What makes no sense together. What is wrong with the options one by one has been said before.
-    private static string[] FindFaults(ParseResult result)
-    {
-        LinkUrl[] links = result.GetValue(Links) ?? [];
-        bool isReplay = links.Length > 0 && Array.TrueForAll(links, l => l.Kind == LinkKind.RecordedFile);
-        return (links.Length == 0 ? WithoutLink(result) : WithLink(result, isReplay))
-            .Concat(OfSigning(result, isReplay))
-            .Concat(RecordingArguments.FindFaults(result, isReplay))
-            .Concat(PreflightArguments.FindFaults(
-                result, result.GetValue(Fly), links.Length == 0, result.GetValue(Camera) is not null))
-            .Concat(OperatorArguments.FindFaults(result, result.GetValue(Fly), links.Length == 0))
-            .Concat(AbandonedArguments.FindFaults(result, links.Length > 0 && !isReplay, result.GetValue(Fly)))
-            .Concat(WebArguments.FindFaults(result))
-            .ToArray();
-    }
+    private static IEnumerable<string> FindFaults(ParseResult result, Given given)
+        => (given.IsSimulated ? WithoutLink(result, given) : WithLink(result, given))
+            .Concat(OfSigning(result, given))
+            .Concat(RecordingArguments.FindFaults(result, given.IsReplay))
+            .Concat(PreflightArguments.FindFaults(result, given))
+            .Concat(OperatorArguments.FindFaults(result, given))
+            .Concat(AbandonedArguments.FindFaults(
+                result, !given.IsSimulated && !given.IsReplay, given.Flies.Value))
+            .Concat(WebArguments.FindFaults(result));
 
-    private static IEnumerable<string> WithoutLink(ParseResult result)
+    private static IEnumerable<string> WithoutLink(ParseResult result, Given given)
     {
         if (result.GetValue(Fly))
             yield return "--fly commands a real vehicle: it needs --link URL and --mission FILE; the simulation flies "
                 + "without it.";
-        if (result.GetValue(Camera) is not null)
-            yield return "--camera needs --link URL: the simulation has a camera of its own.";
-        if (result.GetValue(Terrain) is not null)
-            yield return "--terrain needs --link URL: the ground of the simulation is level.";
+        if (given.Camera.Value is not null)
+            yield return given.Camera.Name + " needs --link URL: the simulation has a camera of its own.";
+        if (given.Terrain.Value is not null)
+            yield return given.Terrain.Name + " needs --link URL: the ground of the simulation is level.";
         if (result.GetValue(TruthOption) is not null)
             yield return "--truth needs --link URL: the simulation knows its own truth.";
         if (result.GetValue(Px4Events) is not null)
             yield return "--px4-events needs --link URL: the events are those of a real autopilot, or of its log.";
     }
 
-    private static IEnumerable<string> WithLink(ParseResult result, bool isReplay)
+    private static IEnumerable<string> WithLink(ParseResult result, Given given)
     {
         if (result.GetValue(Seed) is not null)
             yield return "--seed is for the simulation; it does not go with --link.";
@@ -240,30 +273,30 @@ internal static class CommandLine
         if (result.GetValue(RealTime))
             yield return "--realtime is for the simulation; with --link a flight has its own pace, a recorded one by "
                 + "?speed=.";
-        if (result.GetValue(Fly) && result.GetValue(Mission) is null)
-            yield return "--fly needs --mission FILE: what to fly.";
-        if (result.GetValue(TruthOption) is not null && !result.GetValue(Fly))
+        if (given.Flies.Value && given.Mission.Value is null)
+            yield return given.Flies.Name + " needs --mission FILE: what to fly.";
+        if (result.GetValue(TruthOption) is not null && !given.Flies.Value)
             yield return "--truth scores a mission: it needs --mission FILE --fly.";
-        if (result.GetValue(Terrain) is not null && !result.GetValue(Fly))
+        if (result.GetValue(Terrain) is not null && !given.Flies.Value)
             yield return "--terrain gives a mission its heights: it needs --mission FILE --fly.";
         foreach ((string name, bool isGiven) in new[]
         {
-            ("--fly", result.GetValue(Fly)),
-            ("--mission", result.GetValue(Mission) is not null),
-            ("--camera", result.GetValue(Camera) is not null)
+            (given.Flies.Name, given.Flies.Value),
+            (given.Mission.Name, given.Mission.Value is not null),
+            (given.Camera.Name, given.Camera.Value is not null)
         })
         {
-            if (isReplay && isGiven)
+            if (given.IsReplay && isGiven)
                 yield return $"{name} needs a live vehicle: a recorded flight is only replayed.";
         }
     }
 
-    private static IEnumerable<string> OfSigning(ParseResult result, bool isReplay)
+    private static IEnumerable<string> OfSigning(ParseResult result, Given given)
     {
-        if (result.GetValue(TrustLink) is { Length: > 0 } && result.GetValue(SignKey) is null)
+        if (result.GetValue(TrustLink) is { Length: > 0 } && given.SignKey.Value is null)
             yield return "--trust-link needs --sign-key FILE: without it no link is signed.";
-        if (result.GetValue(SignKey) is not null && isReplay)
-            yield return "--sign-key needs a live vehicle: a recorded flight is only replayed.";
+        if (given.SignKey.Value is not null && given.IsReplay)
+            yield return given.SignKey.Name + " needs a live vehicle: a recorded flight is only replayed.";
     }
 
     private static LinkUrl[] ParseLinks(ArgumentResult result)

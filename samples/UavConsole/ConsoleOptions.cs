@@ -10,6 +10,9 @@ namespace UavConsole;
 /// <summary>What the command line asked for.</summary>
 internal sealed class ConsoleOptions
 {
+    /// <summary>The configuration file; null for none. What it says of the other members is in them already.</summary>
+    public ConfigFile? Config { get; init; }
+
     /// <summary>Links in the order given; none: the simulated search is flown.</summary>
     public IReadOnlyList<LinkUrl> Links { get; init; } = [];
 
@@ -30,6 +33,9 @@ internal sealed class ConsoleOptions
 
     /// <summary>What to fly; null for the bundled mission in the simulation, and for none on a link.</summary>
     public string? MissionFile { get; init; }
+
+    /// <summary>What named the mission, for errors: the option, or file and key.</summary>
+    public string MissionOption { get; init; } = "--mission";
 
     /// <summary>Whether a real vehicle may be commanded.</summary>
     public bool Flies { get; init; }

@@ -71,7 +71,7 @@ internal sealed class Flight : IDisposable
     private static Flight OpenSimulation(ConsoleOptions options)
     {
         MissionFile file = ReadMission(
-            options.MissionFile ?? Path.Combine(AppContext.BaseDirectory, BundledMission));
+            options.MissionFile ?? Path.Combine(AppContext.BaseDirectory, BundledMission), options.MissionOption);
         MissionPlan mission = file.Plan;
         var worldOptions = new SimulationOptions
         {
@@ -86,28 +86,22 @@ internal sealed class Flight : IDisposable
         if (options.IsRealTime)
             time.Pace = 1;
         MavlinkSigningKey? key = options.SignKeyFile is { } keyFile ? SigningKeyFile.Read(keyFile) : null;
-        var uavOptions = new UavOptions
-        {
-            OpenLinks = [links.A],
-            OtherManagers = [world.CreateVehicle(links.B, key)],
-            Subscriptions =
-            [
-                FlightRecorderManager.CreateSubscription(), .. WebView.SubscriptionsOf(options.Web),
-            ],
-            Mission = mission,
-            MayCommand = true,
-            Camera = world.CreateCamera(),
-            Imaging = new ImageProcessingOptions { Camera = world.CameraModel, Mount = world.CameraMount },
-            SystemId = options.SystemId,
-            Seed = options.Seed,
-            Time = time,
-            // the vehicle is new each time, and so is its memory of us
-            Signing = key is null ? null : new SigningOptions(key),
-        };
+        UavOptions uavOptions = OptionsOf(options, mission);
+        uavOptions.OpenLinks = [links.A];
+        uavOptions.OtherManagers = [world.CreateVehicle(links.B, key)];
+        uavOptions.MayCommand = true;
+        uavOptions.Camera = world.CreateCamera();
+        (uavOptions.Imaging.Camera, uavOptions.Imaging.Mount) = (world.CameraModel, world.CameraMount);
+        uavOptions.Seed = options.Seed;
+        uavOptions.Time = time;
+        uavOptions.GroundCommands = null;
+
+        // the vehicle is new each time, and so is its memory of us
+        uavOptions.Signing = key is null ? null : new SigningOptions(key);
         uavOptions.Communications.Recording = options.Recording.ToOptions(isByDefault: false, mission.Name);
         options.Preflight.ApplyTo(uavOptions, mission, isSimulated: true);
         options.Operator.ApplyTo(uavOptions.MissionControl);
-        UavSystem uav = UavSystem.Open(uavOptions);
+        UavSystem uav = OpenSystem(uavOptions, options);
         return new Flight(uav, $"simulated flight: {mission.Name}, seed {FlightText.Number(options.Seed)}, "
             + $"{FlightText.Number(options.TargetCount)} targets", key)
         {
@@ -122,41 +116,37 @@ internal sealed class Flight : IDisposable
     private static Flight OpenLinks(ConsoleOptions options)
     {
         // Also where it is not flown: what is wrong with it is reported.
-        MissionFile? file = options.MissionFile is { } missionFile ? ReadMission(missionFile) : null;
+        MissionFile? file = options.MissionFile is { } missionFile
+            ? ReadMission(missionFile, options.MissionOption)
+            : null;
         MissionPlan? mission = file?.Plan;
         TargetTruth? truth = options.TruthFile is { } truthFile ? ReadTruth(truthFile) : null;
         CameraFolder? folder = options.CameraFolder is { } cameraFolder ? OpenCamera(cameraFolder) : null;
         FolderCamera? camera = folder is null ? null : new FolderCamera(folder);
         MavlinkSigningKey? key = options.SignKeyFile is { } keyFile ? SigningKeyFile.Read(keyFile) : null;
-        var uavOptions = new UavOptions
-        {
-            Links = options.Links,
-            Subscriptions =
-            [
-                FlightRecorderManager.CreateSubscription(), .. WebView.SubscriptionsOf(options.Web),
-            ],
-            SystemId = options.SystemId,
-            Mission = options.Flies ? mission : null,
-            Terrain = options.TerrainFile is { } terrain ? TerrainFile.Read(terrain) : null,
-            MayCommand = options.Flies,
-            Camera = camera,
-            Signing = key is null ? null : SigningOf(key, options),
-            Imaging = folder is null ? new ImageProcessingOptions() : ImagingOf(folder),
-        };
+        UavOptions uavOptions = OptionsOf(options, options.Flies ? mission : null);
+        uavOptions.Links = options.Links;
+        uavOptions.Terrain = options.TerrainFile is { } terrain ? TerrainFile.Read(terrain) : null;
+        uavOptions.MayCommand = options.Flies;
+        uavOptions.Camera = camera;
+        uavOptions.Signing = key is null ? null : SigningOf(key, options);
+        if (folder is not null)
+            (uavOptions.Imaging.Camera, uavOptions.Imaging.Mount) = (folder.Camera, folder.Mount);
         EventTexts.ApplyTo(uavOptions.Autopilot, options.Px4EventsFile);
         if (options.Flies)
         {
             options.Preflight.ApplyTo(uavOptions, mission!, isSimulated: false);
             options.Operator.ApplyTo(uavOptions.MissionControl);
-            uavOptions.GroundCommands = options.Operator.GroundCommands;
             uavOptions.Communications.SendsTargetsAsTraffic = options.Operator.SendsTargetsAsTraffic;
         }
+
+        uavOptions.GroundCommands = options.Flies ? options.Operator.GroundCommands : null;
 
         uavOptions.Communications.Recording = options.IsReplay
             ? null
             : options.Recording.ToOptions(
                 isByDefault: true, options.Flies ? mission!.Name : null, options.Operator.AtStart is not null);
-        UavSystem uav = UavSystem.Open(uavOptions);
+        UavSystem uav = OpenSystem(uavOptions, options);
         string links = string.Join(", ", options.Links.Select(l => l.ToString()));
         return new Flight(
             uav, options.Flies ? $"flying {mission!.Name} over {links}" : "replaying or observing " + links, key)
@@ -169,6 +159,25 @@ internal sealed class Flight : IDisposable
                 ? null
                 : "observing only: nothing is commanded; --mission FILE --fly flies",
         };
+    }
+
+    // Those of the configuration file, and what simulated and real flights have in common.
+    private static UavOptions OptionsOf(ConsoleOptions options, MissionPlan? mission)
+    {
+        UavOptions uavOptions = options.Config?.Options ?? new UavOptions();
+        uavOptions.Subscriptions =
+        [
+            FlightRecorderManager.CreateSubscription(), .. WebView.SubscriptionsOf(options.Web),
+        ];
+        uavOptions.SystemId = options.SystemId;
+        uavOptions.Mission = mission;
+        return uavOptions;
+    }
+
+    private static UavSystem OpenSystem(UavOptions uavOptions, ConsoleOptions options)
+    {
+        options.Config?.Check(uavOptions);
+        return UavSystem.Open(uavOptions);
     }
 
     internal static SigningOptions SigningOf(MavlinkSigningKey key, ConsoleOptions options)
@@ -186,23 +195,11 @@ internal sealed class Flight : IDisposable
         };
     }
 
-    // No more than a file of its kind has: a device or a video given by mistake has no end.
-    private static string ReadText(string path)
-    {
-        const int MaxLength = 4_000_000;
-        using var reader = new StreamReader(path);
-        var text = new char[MaxLength + 1];
-        int length = reader.ReadBlock(text, 0, text.Length);
-        return length <= MaxLength
-            ? new string(text, 0, length)
-            : throw new IOException($"it is longer than {MaxLength} characters.");
-    }
-
     private static TargetTruth ReadTruth(string path)
     {
         try
         {
-            return TruthFile.Parse(ReadText(path));
+            return TruthFile.Parse(TextFile.Read(path));
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException)
         {
@@ -226,35 +223,29 @@ internal sealed class Flight : IDisposable
         }
     }
 
-    private static ImageProcessingOptions ImagingOf(CameraFolder camera) => new()
+    private static MissionFile ReadMission(string path, string option)
     {
-        Camera = camera.Camera,
-        Mount = camera.Mount,
-    };
-
-    private static MissionFile ReadMission(string path)
-    {
-        MissionFile file = ParseMission(path);
+        MissionFile file = ParseMission(path, option);
         return file.FindFaultOfHome() is { } fault
-            ? throw new ArgumentException($"--mission {path}: {fault}", nameof(path))
+            ? throw new ArgumentException($"{option} {path}: {fault}", nameof(path))
             : file;
     }
 
-    private static MissionFile ParseMission(string path)
+    private static MissionFile ParseMission(string path, string option)
     {
         try
         {
-            string text = ReadText(path);
+            string text = TextFile.Read(path);
             return new MissionFile(Path.GetFileName(path), text, MissionPlan.Parse(text, Path.GetFileName(path)));
         }
         catch (Exception e)
             when (e is IOException or UnauthorizedAccessException or NotSupportedException or ArgumentException)
         {
-            throw new ArgumentException($"--mission {path} cannot be read: {e.Message}", nameof(path), e);
+            throw new ArgumentException($"{option} {path} cannot be read: {e.Message}", nameof(path), e);
         }
         catch (MissionPlanException e)
         {
-            throw new ArgumentException($"--mission {path}: {e.Sentence}", nameof(path), e);
+            throw new ArgumentException($"{option} {path}: {e.Sentence}", nameof(path), e);
         }
     }
 }

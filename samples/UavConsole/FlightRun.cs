@@ -183,6 +183,7 @@ internal static class FlightRun
         if (web is not null)
             Console.WriteLine("live page: " + web.Address);
 
+        using IDisposable diagnostics = RunDiagnostics.Open(reactor, log);
         Task<ReactorResult> run = reactor.RunAsync();
         if (keys is not null)
             KeyReader.Start(keys, clock);

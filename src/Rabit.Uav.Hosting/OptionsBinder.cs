@@ -72,6 +72,17 @@ internal static class OptionsBinder
         => e is FormatException or ArgumentException or IOException or UnauthorizedAccessException
             or NotSupportedException or MissionPlanException or MissionProgressException;
 
+    /// <summary>What an exception says, without the name of a parameter that .NET puts behind it.</summary>
+    public static string SentenceOf(Exception e)
+    {
+        if (e is not ArgumentException { ParamName: not null })
+            return e.Message;
+        int end = e.Message.IndexOf(" (Parameter ", StringComparison.Ordinal);
+        if (end < 0)
+            end = e.Message.IndexOf('\n');   // under Mono
+        return end < 0 ? e.Message : e.Message.Substring(0, end).TrimEnd();
+    }
+
     private static Dictionary<string, PropertyInfo> PropertiesOf(Type type)
         => type.GetProperties(BindingFlags.Public | BindingFlags.Instance)
             .Where(p => p.GetSetMethod() is not null && !OfTheWhole.Contains((type, p.Name)) && IsKnown(p.PropertyType))
@@ -132,7 +143,7 @@ internal static class OptionsBinder
         }
         catch (Exception e) when (IsBadInput(e))
         {
-            faults.Add($"{setting.Path} is '{text}'; {e.Message}");
+            faults.Add($"{setting.Path} is '{text}'; {SentenceOf(e)}");
         }
 
         return null;

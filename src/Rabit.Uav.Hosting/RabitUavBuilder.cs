@@ -11,6 +11,7 @@ namespace Rabit.Uav.Hosting;
 public sealed class RabitUavBuilder
 {
     private readonly List<(string Name, Func<IServiceProvider, RabitManager> Create)> _managers = [];
+    private readonly List<Action<IServiceProvider, RabitReactor>> _setups = [];
 
     internal RabitUavBuilder(IServiceCollection services) => Services = services;
 
@@ -63,6 +64,20 @@ public sealed class RabitUavBuilder
                 Options.DefaultName, p, (options, services) => configure(services, options)));
         return this;
     }
+
+    /// <summary>
+    /// Lets code outside managers see the reactor: a live page, diagnostics, endpoints of a controller
+    /// (<see cref="Rabit.Hosting.RabitBuilder.Setup"/>).
+    /// </summary>
+    /// <param name="setup">Called when the host starts, after the managers were added and before the wiring.</param>
+    public RabitUavBuilder Setup(Action<IServiceProvider, RabitReactor> setup)
+    {
+        _setups.Add(setup ?? throw new ArgumentNullException(nameof(setup)));
+        return this;
+    }
+
+    internal void RunSetups(IServiceProvider services, RabitReactor reactor)
+        => _setups.ForEach(setup => setup(services, reactor));
 
     /// <summary>Makes the managers of the user.</summary>
     /// <exception cref="OptionsValidationException">Some cannot be made; all of them are named.</exception>

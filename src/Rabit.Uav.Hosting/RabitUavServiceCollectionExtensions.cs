@@ -43,6 +43,7 @@ public static class RabitUavServiceCollectionExtensions
         services.AddRabit(rabit => rabit
             .Configure(o => o.MaxStopDelay = MaxStopDelay)
             .CreateReactor((p, options) => p.GetRequiredService<UavSystem>().CreateReactor(options))
+            .Setup(uav.RunSetups)
             .DescribeStatus(reactor => new VehicleText(reactor).Describe));
         return services;
     }

@@ -121,7 +121,7 @@ public static class UavConfiguration
         }
         catch (Exception e) when (OptionsBinder.IsBadInput(e))
         {
-            faults.Add($"{section.Path}:{nameof(settings.KeyFile)}: {e.Message}");
+            faults.Add($"{section.Path}:{nameof(settings.KeyFile)}: {OptionsBinder.SentenceOf(e)}");
         }
     }
 

@@ -18,13 +18,16 @@ internal sealed class UavOptionsSetup(IConfigurationSection section)
 
     public ValidateOptionsResult Validate(string? name, UavOptions options)
     {
-        // A fault of reading may be the cause of others: of one key both would be said.
+        // What could not be read may be the cause of other faults: of one key both would be said, and "no link" of one
+        // whose URL is wrong. So how options go together is judged when all of them are known.
         string[] faults = _faults.Concat(
-            UavConfiguration.FindFaults(section, options).Where(f => !_faults.Any(r => IsOfSameKey(r, f)))).ToArray();
+            UavConfiguration.FindFaults(section, options).Where(f => _faults.Count == 0 || IsOfAnotherKey(f)))
+            .ToArray();
         return faults.Length == 0 ? ValidateOptionsResult.Success : ValidateOptionsResult.Fail(faults);
     }
 
-    private static bool IsOfSameKey(string one, string other) => KeyOf(one) == KeyOf(other);
+    private bool IsOfAnotherKey(string fault)
+        => KeyOf(fault) is var key && key != section.Path + ":" && _faults.All(f => KeyOf(f) != key);
 
     private static string KeyOf(string fault) => fault.Split(' ')[0];
 }

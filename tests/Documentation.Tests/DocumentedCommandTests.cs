@@ -16,7 +16,12 @@ public sealed class DocumentedCommandTests
         TimeSpan.FromSeconds(5));
 
     private static readonly Regex Published = new(
-        @"dotnet \S*/?(UavConsole|SimulatedVehicle)\.dll ([^\n`#]*)", RegexOptions.None, TimeSpan.FromSeconds(5));
+        @"dotnet \S*/?(UavConsole)\.dll ([^\n`#]*)", RegexOptions.None, TimeSpan.FromSeconds(5));
+
+    // At the beginning of a line of code, behind a prompt, or in backquotes.
+    private static readonly Regex Tool = new(
+        @"(?:^ *(?:\$ )?|`|\$\()rabit ([a-z]+)\b([^\n`#|>]*)", RegexOptions.Multiline, TimeSpan.FromSeconds(5));
+
     private static readonly Regex Option = new(@"(?<=^|\s)--[a-z][\w-]*", RegexOptions.None, TimeSpan.FromSeconds(5));
 
     [Fact]
@@ -53,6 +58,30 @@ public sealed class DocumentedCommandTests
 
         Assert.True(faults.Count == 0, string.Join(Environment.NewLine, faults));
         Assert.True(options > 20, $"Only {options} options were found in the documents.");
+    }
+
+    [Fact]
+    public void CommandsOfTheTool_OfAllDocuments_AreThereWithTheirOptions()
+    {
+        var faults = new List<string>();
+        int commands = 0;
+        string folder = Path.Combine(Repository.Root, "src", "Rabit.Tool");
+        string source = string.Concat(
+            Directory.EnumerateFiles(folder, "*.cs", SearchOption.AllDirectories).Select(File.ReadAllText));
+        foreach (string document in DocumentFiles.All.Where(d => d != "CHANGELOG.md"))
+        {
+            foreach (Match command in Tool.Matches(DocumentFiles.Read(document)))
+            {
+                commands++;
+                IEnumerable<string> words = Option.Matches(command.Groups[2].Value).Select(m => m.Value)
+                    .Where(o => o != "--help").Append(command.Groups[1].Value);
+                faults.AddRange(words.Where(w => !source.Contains($"\"{w}\"", StringComparison.Ordinal))
+                    .Select(w => $"{document}: rabit {command.Groups[1].Value} has no {w}"));
+            }
+        }
+
+        Assert.True(faults.Count == 0, string.Join(Environment.NewLine, faults));
+        Assert.True(commands > 20, $"Only {commands} commands of the tool were found in the documents.");
     }
 
     private static bool IsOfBenchmarkDotNet(string folder, string option)

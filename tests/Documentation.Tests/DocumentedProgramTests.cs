@@ -10,7 +10,8 @@ namespace Rabit.Documentation.Tests;
 
 /// <summary>
 /// Every C# block of the pages that users copy from compiles, and runs where it can. A comment on the line before a
-/// block says more: <c>runs</c> (and prints the <c>text</c> block that follows, if there is one),
+/// block says more: <c>runs</c> (and prints the <c>text</c> block that follows, if there is one; commands may stand
+/// between them),
 /// <c>runs in virtual time</c> (the same with the argument --virtual), <c>test of the program above</c> (its facts
 /// pass), <c>part of FILE</c> (it stands in that file, which CI builds).
 /// </summary>
@@ -49,10 +50,10 @@ public sealed class DocumentedProgramTests
                 CompiledProgram.Compile(block);
                 break;
             case "runs":
-                AssertRuns(block, index + 1 < blocks.Count ? blocks[index + 1] : null);
+                AssertRuns(block, OutputOf(blocks, index));
                 break;
             case "runs in virtual time":
-                AssertRuns(block, index + 1 < blocks.Count ? blocks[index + 1] : null, "--virtual");
+                AssertRuns(block, OutputOf(blocks, index), "--virtual");
                 break;
             case "test of the program above":
                 DocumentBlock program = blocks.Take(index).Last(b => b.Language == "csharp");
@@ -85,11 +86,16 @@ public sealed class DocumentedProgramTests
         Assert.NotNull(CompiledProgram.Compile(block).EntryPoint);
     }
 
+    private static DocumentBlock? OutputOf(IReadOnlyList<DocumentBlock> blocks, int index)
+        => blocks.Skip(index + 1).SkipWhile(b => b.Language == "sh").FirstOrDefault() is { Language: "text" } output
+            ? output
+            : null;
+
     private static void AssertRuns(DocumentBlock block, DocumentBlock? output, params string[] args)
     {
         (string printed, int exitCode) = CompiledProgram.Run(CompiledProgram.Compile(block), args);
         Assert.Equal(0, exitCode);
-        if (output?.Language == "text")
+        if (output is not null)
             Assert.Equal(output.Text, printed);
     }
 

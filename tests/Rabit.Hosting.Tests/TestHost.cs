@@ -12,7 +12,7 @@ namespace Rabit.Hosting.Tests;
 /// <summary>A host of its own for a test: no console, no signals, its log and its exit code kept.</summary>
 internal sealed class TestHost : IDisposable
 {
-    private static readonly TimeSpan Limit = TimeSpan.FromSeconds(30);
+    private static readonly TimeSpan Limit = TimeSpan.FromSeconds(120);
 
     private readonly IHost _host;
 

@@ -21,6 +21,7 @@ namespace Rabit.Hosting.Tests;
 public sealed class UavTests
 {
     private const string Link = "udpout:127.0.0.1:9";
+    private const string Search = "the mission of the sample";
 
     [Fact]
     public void Settings_OfAllKinds_AreThoseOfTheOptions()
@@ -100,6 +101,31 @@ public sealed class UavTests
         Assert.Contains(e.Faults, f => f.StartsWith("Uav:Health:BatteryLowFraction is 3", StringComparison.Ordinal));
         Assert.Contains("Uav:ComponentId is 0; it must be 1 to 255", e.Faults);
         Assert.Equal(4, e.Faults.Count);
+    }
+
+    [Theory]
+    [InlineData("Uav:Links:0 is 'udp:1'; ", "Uav:Links:0", "udp:1")]
+    [InlineData("Uav:Links is 'udp:1'; ", "Uav:Links", "udp:1")]
+    [InlineData("Uav:Lnks is not known; ", "Uav:Lnks:0", Link)]
+    [InlineData("Uav:MayCommand is 'yes'; ", "Uav:MayCommand", "yes", "Uav:Mission", Search, "Uav:Links:0", Link)]
+    public async Task Setting_CannotBeRead_WhatFollowsFromItIsNotReported(string expected, params string[] settings)
+    {
+        using var host = HostOf(
+            null,
+            Enumerable.Range(0, settings.Length / 2)
+                .Select(i => (settings[2 * i], ValueOf(settings[(2 * i) + 1]))).ToArray());
+
+        RabitHostingException e = await Assert.ThrowsAsync<RabitHostingException>(host.StartAsync);
+
+        Assert.StartsWith(expected, Assert.Single(e.Faults), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void KeyFile_Missing_IsNamedInOneSentence()
+    {
+        Read(out IReadOnlyList<string> faults, ("Uav:Links:0", Link), ("Uav:Signing:KeyFile", "/none"));
+
+        Assert.EndsWith("'/none'.", Assert.Single(faults), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -186,6 +212,25 @@ public sealed class UavTests
     }
 
     [Fact]
+    public async Task Setup_OfCodeOutsideManagers_SeesTheReactorWithItsManagersBeforeItStarts()
+    {
+        RabitReactor? seen = null;
+        int managers = 0;
+        bool wasWired = true;
+        using var host = HostOf(
+            uav => uav.Setup((_, reactor) =>
+            {
+                (seen, managers, wasWired) = (reactor, reactor.Count(), reactor.IsWired);
+            }),
+            ("Uav:Links:0", Link));
+        await host.StartAsync();
+
+        Assert.Same(host.Reactors["rabit"], seen);
+        Assert.Equal((6, false), (managers, wasWired));
+        await host.StopAsync();
+    }
+
+    [Fact]
     public void AddRabitUav_Twice_IsRefused()
     {
         IConfiguration configuration = Configuration();
@@ -194,6 +239,8 @@ public sealed class UavTests
     }
 
     private static string Mission => Path.Combine(Repository.Root, "samples", "UavConsole", "missions", "search.json");
+
+    private static string ValueOf(string value) => value == Search ? Mission : value;
 
     private static IConfiguration Configuration(params (string Key, string Value)[] settings)
         => new ConfigurationBuilder()

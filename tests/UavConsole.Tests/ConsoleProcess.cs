@@ -72,6 +72,9 @@ internal sealed class ConsoleProcess : IDisposable
         }
     }
 
+    /// <summary>The number of the process.</summary>
+    public int Id => _process.Id;
+
     public static ConsoleProcess Start(params string[] arguments) => new(arguments);
 
     /// <summary>Starts it in a folder.</summary>

@@ -97,25 +97,41 @@ internal static class OperatorArguments
             SignedCommands, TargetsAsTraffic, OffersFence,
         ];
 
-    public static OperatorChoices Read(ParseResult result, bool flies) => new()
+    /// <summary>Keys of the section Uav of a configuration file that options stand for.</summary>
+    public static IEnumerable<(Option Option, string Key)> Replaced
+        =>
+        [
+            (Resume, "MissionControl:Resume"), (Progress, "MissionControl:ProgressFile"),
+            (OnStopOption, "MissionControl:OnStop"), (FixedWing, "MissionControl:FixedWing"),
+            (Commanders, "GroundCommands"), (SignedCommands, "GroundCommands"), (OffersFence, "GroundCommands"),
+        ];
+
+    public static OperatorChoices Read(ParseResult result, bool flies, ConfigFile? config) => new()
     {
         AtStart = result.GetValue(Hold) ? OperatorCommand.Hold
             : result.GetValue(Return) ? OperatorCommand.Return : null,
-        ResumeFile = result.GetValue(Resume),
-        ProgressFile = result.GetValue(Progress) ?? (flies ? DefaultProgress : null),
-        AllowsPartialSearch = result.GetValue(AllowPartialSearch),
+        ResumeFile = result.GetValue(Resume) ?? config?.TextOf("MissionControl:Resume"),
+        ProgressFile = result.GetValue(Progress) ?? config?.Options.MissionControl.ProgressFile
+            ?? (flies ? DefaultProgress : null),
+        AllowsPartialSearch = result.GetValue(AllowPartialSearch)
+            || config?.Options.MissionControl.AllowsPartialSearch == true,
         LoiterRadiusMetres = result.GetValue(FixedWing),
         HasBell = result.GetValue(BellOption),
         Commanders = flies && TryReadIds(result.GetValue(Commanders)!, out byte[] ids) ? ids : [],
         OnlySigned = result.GetValue(SignedCommands),
-        SendsTargetsAsTraffic = result.GetValue(TargetsAsTraffic),
+        SendsTargetsAsTraffic = result.GetValue(TargetsAsTraffic)
+            || config?.Options.Communications.SendsTargetsAsTraffic == true,
+        Configured = flies ? config?.Options.GroundCommands : null,
         OffersFence = result.GetValue(OffersFence),
-        OnStop = result.GetValue(OnStopOption) == "return" ? OnStop.Return : OnStop.Hold,
+        OnStop = result.GetValue(OnStopOption) is { } onStop
+            ? onStop == "return" ? OnStop.Return : OnStop.Hold
+            : config?.Options.MissionControl.OnStop ?? OnStop.Hold,
     };
 
     /// <summary>What makes no sense together.</summary>
-    public static IEnumerable<string> FindFaults(ParseResult result, bool flies, bool isSimulated)
+    public static IEnumerable<string> FindFaults(ParseResult result, Given given)
     {
+        bool flies = given.Flies.Value;
         if (result.GetValue(Hold) && result.GetValue(Return))
             yield return "--hold and --return exclude each other.";
         foreach (string name in Given(result, Hold, Return, FixedWing))
@@ -135,7 +151,7 @@ internal static class OperatorArguments
 
         foreach (string name in Given(result, Resume, Progress, AllowPartialSearch, OnStopOption))
         {
-            if (!flies && !isSimulated)
+            if (!flies && !given.IsSimulated)
                 yield return $"{name} goes with a mission that is flown: --mission FILE --fly.";
         }
     }

@@ -44,8 +44,14 @@ internal sealed class OperatorChoices
     /// <summary>Radius of the circles of a fixed wing; null where none is commanded.</summary>
     public double? LoiterRadiusMetres { get; init; }
 
+    /// <summary>As the configuration file says, where the command line says nothing of it; null for none.</summary>
+    public GroundCommandOptions? Configured { get; init; }
+
     /// <summary>Who may command the mission by MAVLink; null where there is none.</summary>
     public GroundCommandOptions? GroundCommands
+        => Configured ?? GivenCommands;
+
+    private GroundCommandOptions? GivenCommands
         => Commanders.Count == 0 && !OffersFence ? null : new GroundCommandOptions
         {
             SystemIds = Commanders,
@@ -65,8 +71,7 @@ internal sealed class OperatorChoices
             options.Resume = Read(resume);
 
         // A start that only brings a vehicle home leaves the progress of its mission as it is.
-        if (AtStart is null)
-            options.ProgressFile = ProgressFile;
+        options.ProgressFile = AtStart is null ? ProgressFile : null;
     }
 
     /// <summary>

@@ -41,7 +41,8 @@ internal sealed class RunFiles : IDisposable
         string? report = options.ReportFile ?? (mission is null ? null : DefaultReport(mission));
         CheckTheyDiffer(
         [
-            ("--mission", options.MissionFile), ("--truth", options.TruthFile), ("--sign-key", options.SignKeyFile),
+            ("--config", options.Config?.Path), (options.MissionOption, options.MissionFile),
+            ("--truth", options.TruthFile), ("--sign-key", options.SignKeyFile),
             ("--progress", options.Operator.ProgressFile), ("--originals", options.Preflight.OriginalsFile),
             ("--summary", options.SummaryFile), ("--report", report), ("--log", options.LogFile),
             .. options.Reporting.Exports.Select(e => ("--export", (string?)e)),

@@ -44,18 +44,25 @@ internal static class PreflightArguments
     /// <summary>All of them.</summary>
     public static IEnumerable<Option> All => [Override, SetFailsafes, UploadFence, Originals, WithoutDetection];
 
-    public static PreflightChoices Read(ParseResult result) => new()
+    public static PreflightChoices Read(ParseResult result, ConfigFile? config) => new()
     {
-        Overrides = result.GetValue(Override) ?? [],
-        SetsFailsafes = result.GetValue(SetFailsafes),
-        UploadsFence = result.GetValue(UploadFence),
-        OriginalsFile = result.GetValue(Originals) ?? DefaultOriginals,
-        IsWithoutDetection = result.GetValue(WithoutDetection),
+        Overrides = result.GetValue(Override) is { Length: > 0 } names
+            ? names
+            : config?.Options.Preflight.Overrides ?? [],
+        SetsFailsafes = result.GetValue(SetFailsafes) || config?.Options.Autopilot.Setup.SetsFailsafes == true,
+        UploadsFence = result.GetValue(UploadFence) || config?.UploadsFence == true,
+        OriginalsFile = result.GetValue(Originals) ?? config?.Options.Autopilot.Setup.OriginalsFile
+            ?? DefaultOriginals,
+        IsWithoutDetection = IsWithoutDetection(result, config),
     };
 
+    public static bool IsWithoutDetection(ParseResult result, ConfigFile? config)
+        => result.GetValue(WithoutDetection) || config?.Options.MissionControl.RequiresCamera == false;
+
     /// <summary>What makes no sense together.</summary>
-    public static IEnumerable<string> FindFaults(ParseResult result, bool flies, bool isSimulated, bool hasCamera)
+    public static IEnumerable<string> FindFaults(ParseResult result, Given given)
     {
+        (bool flies, bool hasCamera) = (given.Flies.Value, given.Camera.Value is not null);
         foreach ((string name, bool isGiven) in new[]
         {
             ("--set-failsafes", result.GetValue(SetFailsafes)), ("--upload-fence", result.GetValue(UploadFence)),
@@ -67,11 +74,11 @@ internal static class PreflightArguments
                 yield return $"{name} goes with --mission FILE --fly.";
         }
 
-        if (result.GetValue(Override) is { Length: > 0 } && !flies && !isSimulated)
+        if (result.GetValue(Override) is { Length: > 0 } && !flies && !given.IsSimulated)
             yield return "--override goes with --mission FILE --fly.";
-        if (flies && !isSimulated && !hasCamera && !result.GetValue(WithoutDetection))
-            yield return "--fly needs --camera DIR: a search without pictures finds nothing; --without-detection flies "
-                + "all the same.";
+        if (flies && !given.IsSimulated && !hasCamera && !given.IsWithoutDetection)
+            yield return given.Flies.Name + " needs --camera DIR: a search without pictures finds nothing; "
+                + "--without-detection flies all the same.";
         if (hasCamera && result.GetValue(WithoutDetection))
             yield return "--without-detection does not go with --camera.";
     }

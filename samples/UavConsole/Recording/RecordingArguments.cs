@@ -35,8 +35,9 @@ internal static class RecordingArguments
     /// <summary>All of them.</summary>
     public static IEnumerable<Option> All => [NoTlog, Folder, Size];
 
-    public static RecordingChoices Read(ParseResult result) => new()
+    public static RecordingChoices Read(ParseResult result, ConfigFile? config) => new()
     {
+        Configured = config?.Options.Communications.Recording,
         IsWanted = result.GetValue(NoTlog) ? false : result.GetValue(Folder) is not null ? true : null,
         Folder = result.GetValue(Folder),
         MaxFileBytes = result.GetValue(Size),

@@ -10,6 +10,9 @@ internal sealed class RecordingChoices
     /// <summary>Whether it was asked for, or for none; null for the default: where a live link is open.</summary>
     public bool? IsWanted { get; init; }
 
+    /// <summary>As the configuration file says; null where it says nothing.</summary>
+    public RecordingOptions? Configured { get; init; }
+
     /// <summary>Where the logs go; null for the current folder.</summary>
     public string? Folder { get; init; }
 
@@ -23,15 +26,16 @@ internal sealed class RecordingChoices
     /// <returns>Null for no recording.</returns>
     public RecordingOptions? ToOptions(bool isByDefault, string? mission, bool mustStart = false)
     {
-        if (!(IsWanted ?? isByDefault))
+        if (!(IsWanted ?? (Configured is not null || isByDefault)))
             return null;
-        var options = new RecordingOptions();
+        RecordingOptions options = Configured ?? new RecordingOptions();
         string name = mission is null ? NameWithoutMission : RunFiles.StemOf(mission);
-        options.Name = name.Length > 0 ? name : NameWithoutMission;
+        if (options.Name == new RecordingOptions().Name)
+            options.Name = name.Length > 0 ? name : NameWithoutMission;
         options.Folder = Folder ?? options.Folder;
 
         // A full disk must not keep a vehicle that is in the air from its computer, nor a default from a start.
-        options.IsRequired = Folder is not null && !mustStart;
+        options.IsRequired = !mustStart && (Folder is not null || Configured?.IsRequired == true);
         options.MaxFileBytes = MaxFileBytes ?? options.MaxFileBytes;
         return options;
     }

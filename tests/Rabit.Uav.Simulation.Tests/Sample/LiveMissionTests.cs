@@ -13,7 +13,7 @@ using Xunit.Abstractions;
 namespace Rabit.Uav.Simulation.Tests.Sample;
 
 /// <summary>
-/// UavConsole flies SimulatedVehicle, two processes in real time, with UDP and a folder of pictures between them.
+/// UavConsole flies "rabit simulate", two processes in real time, with UDP and a folder of pictures between them.
 /// </summary>
 [Trait("Category", "Long")]
 public sealed class LiveMissionTests(ITestOutputHelper output) : IDisposable
@@ -36,8 +36,8 @@ public sealed class LiveMissionTests(ITestOutputHelper output) : IDisposable
         string summary = In("summary.json");
         int port = FreePort();
         using var vehicle = new SampleProcess(
-            "SimulatedVehicle",
-            [.. signing, "--link", $"udpout:127.0.0.1:{port}", "--mission", mission, "--targets", "2", "--seed", "5",
+            "Rabit.Tool",
+            ["simulate", .. signing, "--link", $"udpout:127.0.0.1:{port}", "--mission", mission, "--targets", "2", "--seed", "5",
             "--camera-out", In("pictures"), "--truth-out", truth]);
         vehicle.WaitUntil(
             () => File.Exists(In("pictures/camera.json")) && File.Exists(truth) && new FileInfo(truth).Length > 0);
@@ -70,8 +70,8 @@ public sealed class LiveMissionTests(ITestOutputHelper output) : IDisposable
         string mission = Write("mission.json", SearchFlight.SmallMission);
         int port = FreePort();
         using var vehicle = new SampleProcess(
-            "SimulatedVehicle",
-            ["--autopilot", autopilot, "--link", $"udpout:127.0.0.1:{port}", "--mission", mission, "--targets", "2",
+            "Rabit.Tool",
+            ["simulate", "--autopilot", autopilot, "--link", $"udpout:127.0.0.1:{port}", "--mission", mission, "--targets", "2",
             "--seed", "5", "--camera-out", In("pictures")]);
         vehicle.WaitUntil(() => File.Exists(In("pictures/camera.json")));
         using var station = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);

@@ -9,7 +9,7 @@ using Xunit;
 
 namespace Rabit.Uav.Simulation.Tests.Sample;
 
-/// <summary>A sample as a user starts it: a process of its own, on the runtime that the tests run on.</summary>
+/// <summary>A program as a user starts it: a process of its own, on the runtime that the tests run on.</summary>
 internal sealed class SampleProcess : IDisposable
 {
     private const int InterruptSignal = 2;

@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using System.Text.RegularExpressions;
+using Rabit.Terminal;
 using Rabit.Uav.Messages;
 using Spectre.Console;
 using Xunit;

@@ -1,0 +1,103 @@
+using System;
+using System.IO;
+using System.Text;
+using System.Text.Json;
+using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.ImageProcessing.Geolocation;
+
+namespace Rabit.Tool.Geolocation;
+
+/// <summary>Writes a place, or why there is none.</summary>
+internal static class Answer
+{
+    /// <returns>The exit code: of a refusal that nothing was found.</returns>
+    public static int Write(GeolocationResult fix, bool isJson, TextWriter output)
+    {
+        output.WriteLine(isJson ? Json(fix) : Text(fix));
+        return fix.Error == GeolocationError.None ? ToolExitCode.Done : ToolExitCode.NotFound;
+    }
+
+    private static string Text(GeolocationResult fix)
+    {
+        if (fix.Error != GeolocationError.None)
+            return $"refused: {fix.Error}: {Reason(fix.Error)}";
+        HorizontalCovariance all = fix.Covariance + fix.SystematicCovariance;
+        GeographicPoint point = fix.Position.Point;
+        double latitude = point.Latitude.Degrees;
+        string grid = latitude is >= -80 and <= 84 ? "  " + PositionText.Format(point, PositionStyle.Mgrs) : "";
+        string where = $"{PositionText.Format(point, PositionStyle.DecimalDegrees)}  "
+            + $"{PositionText.Format(point, PositionStyle.DegreesMinutesSeconds)}{grid}";
+        return FormattableString.Invariant($"""
+            {where}
+            altitude {fix.Position.AltitudeAmslMetres:0.00} m
+            95 % ellipse {all.HalfMajorAxis95Metres:0.0} x {all.HalfMinorAxis95Metres:0.0} m, long axis at {all.MajorAxis.Degrees:0} deg from north
+            of which random {fix.Covariance.HalfMajorAxis95Metres:0.0} m, systematic {fix.SystematicCovariance.HalfMajorAxis95Metres:0.0} m
+
+            """) + PoseText(fix);
+    }
+
+    private static string Reason(GeolocationError refusal) => refusal switch
+    {
+        GeolocationError.OutsidePicture => "the pixel is not in the picture",
+        GeolocationError.LensCannotBeUndone => "the lens distortion cannot be undone there",
+        GeolocationError.NearHorizon => "the ray points above the horizon, or too little below it",
+        GeolocationError.NotANumber => "the height of the ground, or an angle of the camera, is not a number",
+        GeolocationError.CameraBelowGround => "the camera is below the ground",
+        GeolocationError.LeavesTerrain => "the ray leaves the terrain grid above the ground",
+        GeolocationError.NoTerrainData => "the ray may intersect the ground where the terrain grid has no altitude",
+        GeolocationError.NoPose => "no pose reaches the time of the picture",
+        GeolocationError.PoseTooOld => "the picture is older than all poses",
+        GeolocationError.PoseGap => "the poses around the time of the picture are too far apart",
+        _ => "there is no place",
+    };
+
+    private static string PoseText(GeolocationResult fix) => fix.Extrapolated > TimeSpan.Zero
+        ? FormattableString.Invariant($"pose extrapolated by {fix.Extrapolated.TotalMilliseconds:0} ms")
+        : "pose between samples";
+
+    private static string Json(GeolocationResult fix)
+    {
+        using var stream = new MemoryStream();
+        using (var writer = new Utf8JsonWriter(stream, new JsonWriterOptions { Indented = true }))
+        {
+            writer.WriteStartObject();
+            writer.WriteString("status", fix.Error == GeolocationError.None ? "ok" : "refused");
+            writer.WriteNumber("timeSeconds", fix.Time.TotalSeconds);
+            if (fix.Error == GeolocationError.None)
+                WritePlace(writer, fix);
+            else
+            {
+                writer.WriteString("reason", fix.Error.ToString());
+                writer.WriteString("text", Reason(fix.Error));
+            }
+
+            writer.WriteEndObject();
+        }
+
+        return Encoding.UTF8.GetString(stream.ToArray());
+    }
+
+    private static void WritePlace(Utf8JsonWriter writer, GeolocationResult fix)
+    {
+        HorizontalCovariance all = fix.Covariance + fix.SystematicCovariance;
+        writer.WriteNumber("latitudeDegrees", fix.Position.Latitude.Degrees);
+        writer.WriteNumber("longitudeDegrees", fix.Position.Longitude.Degrees);
+        writer.WriteNumber("altitudeAmslMetres", fix.Position.AltitudeAmslMetres);
+        WriteCovariance(writer, "randomCovarianceSquareMetres", fix.Covariance);
+        WriteCovariance(writer, "systematicCovarianceSquareMetres", fix.SystematicCovariance);
+        writer.WriteNumber("ellipse95HalfMajorAxisMetres", all.HalfMajorAxis95Metres);
+        writer.WriteNumber("ellipse95HalfMinorAxisMetres", all.HalfMinorAxis95Metres);
+        writer.WriteNumber("ellipseMajorAxisDegrees", all.MajorAxis.Degrees);
+        writer.WriteNumber("extrapolatedSeconds", fix.Extrapolated.TotalSeconds);
+    }
+
+    private static void WriteCovariance(Utf8JsonWriter writer, string name, HorizontalCovariance covariance)
+    {
+        writer.WriteStartArray(name);
+        writer.WriteNumberValue(covariance.NorthNorth);
+        writer.WriteNumberValue(covariance.NorthEast);
+        writer.WriteNumberValue(covariance.EastEast);
+        writer.WriteEndArray();
+    }
+}

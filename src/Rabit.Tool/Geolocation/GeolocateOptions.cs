@@ -1,0 +1,48 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+
+namespace Rabit.Tool.Geolocation;
+
+/// <summary>What the command line asks for.</summary>
+internal sealed class GeolocateOptions
+{
+    /// <summary>The camera's file, or a photo.</summary>
+    public string Camera { get; set; } = "";
+
+    public string? Request { get; set; }
+
+    public string? Telemetry { get; set; }
+
+    public string? Terrain { get; set; }
+
+    public double? TimeSeconds { get; set; }
+
+    public (double Column, double Row)? Pixel { get; set; }
+
+    public bool IsJson { get; set; }
+
+    /// <summary>Whether the first file is a photo, which describes its camera itself.</summary>
+    public bool IsPhoto => Path.GetExtension(Camera).ToUpperInvariant() is ".JPG" or ".JPEG";
+
+    /// <summary>Whether the pixels of the photo were turned by half a turn after it was taken.</summary>
+    public bool IsTurned { get; set; }
+
+    /// <summary>What the options say of a photo, by their names without dashes.</summary>
+    public IDictionary<string, double> OfPhoto { get; } = new Dictionary<string, double>(StringComparer.Ordinal);
+
+    /// <summary>What makes no sense together.</summary>
+    /// <returns>A sentence; null where all does.</returns>
+    public string? FindFault()
+    {
+        if (Telemetry is null != TimeSeconds is null)
+            return "--telemetry and --time go together.";
+        if (!IsPhoto && (IsTurned || OfPhoto.Count > 0))
+            return $"--{(IsTurned ? "turned" : OfPhoto.Keys.First())} is for a photo (.jpg, .jpeg), which {Camera} is "
+                + "not.";
+        if (IsPhoto && (Request ?? Telemetry) is { } other)
+            return $"{Camera} is a photo, which needs no {other}.";
+        return null;
+    }
+}

@@ -1,0 +1,110 @@
+using System;
+using System.IO;
+using Rabit.Geodesy;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.ImageProcessing.Geolocation;
+using Rabit.Uav.Messages;
+using Rabit.Vision;
+
+namespace Rabit.Tool.Geolocation;
+
+/// <summary>A pixel and all that is needed to find its place.</summary>
+internal sealed class Request
+{
+    private const string GroundAltitude = "groundAltitudeAmslMetres";
+    private const double MaxSeconds = 1e11;   // some 3000 years: far below what a TimeSpan holds
+
+    private readonly PixelGeolocator _locator;
+    private readonly TimeSpan _time;
+    private readonly ImagingCommand _command;
+    private readonly double _column;
+    private readonly double _row;
+
+    private Request(PixelGeolocator locator, TimeSpan time, ImagingCommand command, double column, double row)
+        => (_locator, _time, _command, _column, _row) = (locator, time, command, column, row);
+
+    /// <exception cref="FormatException">Something is missing, unknown or of a wrong type.</exception>
+    /// <exception cref="PictureException">The file describes no camera.</exception>
+    public static Request Read(GeolocateOptions line, TextReader input)
+    {
+        if (line.IsPhoto)
+            return OfPhoto(line);
+        CameraFolder camera = CameraFolder.OpenFile(line.Camera);
+        RequestFields request = Fields(line.Request, input);
+        var options = new ImageProcessingOptions { Camera = camera.Camera, Mount = camera.Mount };
+        if (line.Terrain is not null)
+            options.Terrain = TerrainOf(line.Terrain);
+        var locator = new PixelGeolocator(options);
+        TimeSpan time = TimeSpan.FromSeconds(TimeOf(line));
+        if (line.Telemetry is null)
+            AddPose(locator, request.Object("pose", [.. Telemetry.Names]));
+        else
+            time = Telemetry.Read(line.Telemetry, time, locator);
+        (double column, double row) = line.Pixel ?? request.Pair("pixel");
+        return new Request(locator, time, CommandOf(request, options.Terrain is not null), column, row);
+    }
+
+    public GeolocationResult Locate() => _locator.Locate(_time, _command, _column, _row);
+
+    private static Request OfPhoto(GeolocateOptions line)
+    {
+        var photo = new Photo(PhotoMetadata.Read(File.ReadAllBytes(line.Camera), line.Camera), line);
+        TerrainGrid? terrain = line.Terrain is null ? null : TerrainOf(line.Terrain);
+        PixelGeolocator locator = photo.MakeLocator(terrain, out ImagingCommand command);
+        (double column, double row) = photo.Stored(
+            line.Pixel ?? throw new FormatException("--pixel is missing: column and row of the photo."));
+        return new Request(locator, default, command, column, row);
+    }
+
+    private static double TimeOf(GeolocateOptions line)
+    {
+        double seconds = line.TimeSeconds ?? 0;
+        return Math.Abs(seconds) <= MaxSeconds
+            ? seconds
+            : throw new FormatException(
+                FormattableString.Invariant($"--time is {seconds}; it must be seconds, {MaxSeconds} at most."));
+    }
+
+    private static RequestFields Fields(string? file, TextReader input)
+    {
+        (string text, string name) = file switch
+        {
+            null => ("{}", "the request"),
+            "-" => (input.ReadToEnd(), "the standard input"),
+            _ => (File.ReadAllText(file), file),
+        };
+        return RequestFields.Parse(text, name, "pose", "gimbal", GroundAltitude, "pixel");
+    }
+
+    private static TerrainGrid TerrainOf(string file)
+    {
+        using var reader = new StreamReader(file);
+        try
+        {
+            return AsciiGrid.Read(reader);
+        }
+        catch (FormatException e)
+        {
+            throw new FormatException($"{file}: {e.Message}", e);
+        }
+    }
+
+    private static ImagingCommand CommandOf(RequestFields request, bool hasTerrain)
+    {
+        RequestFields? gimbal = request.Has("gimbal") ? request.Object("gimbal", "pitchDegrees", "yawDegrees") : null;
+        return new ImagingCommand
+        {
+            GroundAltitudeAmslMetres = hasTerrain
+                ? request.OptionalNumber(GroundAltitude)
+                : request.Number(GroundAltitude),
+            CameraPitch = Angle.FromDegrees(gimbal?.Number("pitchDegrees") ?? -90),
+            CameraYaw = Angle.FromDegrees(gimbal?.Number("yawDegrees") ?? 0),
+        };
+    }
+
+    private static void AddPose(PixelGeolocator locator, RequestFields pose) => Telemetry.Add(locator, default, [
+        pose.Degrees("latitudeDegrees", 90), pose.Degrees("longitudeDegrees", 180), pose.Number("altitudeAmslMetres"),
+        pose.OptionalNumber("velocityNorthMetresPerSecond"), pose.OptionalNumber("velocityEastMetresPerSecond"),
+        pose.OptionalNumber("velocityDownMetresPerSecond"),
+        pose.Number("rollDegrees"), pose.Number("pitchDegrees"), pose.Number("yawDegrees")]);
+}

@@ -1,0 +1,10 @@
+namespace Rabit.Tool.Running.Top;
+
+/// <summary>What is shown.</summary>
+internal enum TopSection
+{
+    All,
+    Managers,
+    Queues,
+    Messages,
+}

@@ -1,0 +1,106 @@
+using System;
+using System.CommandLine;
+using System.IO;
+using System.Threading.Tasks;
+using Rabit.Core;
+using Rabit.Links;
+using Rabit.Mavlink;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.Communications;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Simulation;
+using Rabit.Vision;
+
+namespace Rabit.Tool.Simulation;
+
+/// <summary>
+/// The main job: opens the link, runs the vehicle in real time, says when something changes, and writes the truth at
+/// the end.
+/// </summary>
+internal static class VehicleRun
+{
+    private static readonly TimeSpan ShowEvery = TimeSpan.FromMilliseconds(100);
+
+    // Ctrl-C must end all within a second.
+    private static readonly TimeSpan StopTimeout = TimeSpan.FromMilliseconds(300);
+
+    /// <returns>The exit code.</returns>
+    /// <exception cref="ToolException">A link or a file cannot be opened, read or written.</exception>
+    public static int Run(VehicleOptions options, InvocationConfiguration console)
+    {
+        try
+        {
+            CheckTruthOverwrites("--mission", options.MissionFile, options);
+            CheckTruthOverwrites("--sign-key", options.SignKeyFile, options);
+            if (options.MissionFile is not null)
+                MissionWorld.Read(options.MissionFile, options.World);
+            var world = new SimulatedWorld(options.World);
+            using TruthOutput? truthFile = TruthOutput.Open(options.TruthFile);
+            CameraFolder? folder = options.CameraFolder is { } path
+                ? CameraFolder.Create(path, world.CameraModel, world.CameraMount)
+                : null;
+            using MavlinkSigningKey? key = options.SignKeyFile is { } keyFile ? SigningKeyFile.Read(keyFile) : null;
+            using IByteLink link = ReopeningLink.Open(options.Link);
+            truthFile?.Write(world);
+            int exitCode = Fly(world.CreateVehicle(link, key), world, folder, options, console);
+            truthFile?.Write(world);
+            return exitCode;
+        }
+        catch (Exception e)
+            when (e is LinkException or PictureException or ArgumentException or PlatformNotSupportedException
+                or IOException or UnauthorizedAccessException)
+        {
+            throw new ToolException(FirstLine(e), e);
+        }
+    }
+
+    private static int Fly(
+        RabitManager vehicle, SimulatedWorld world, CameraFolder? folder, VehicleOptions options,
+        InvocationConfiguration console)
+    {
+        // The reactor takes the first Ctrl-C while it runs. Neither a second one nor one that comes late may cut the
+        // truth off.
+        Console.CancelKeyPress += (_, e) => e.Cancel = true;
+        var reactorOptions = new ReactorOptions
+        {
+            Log = entry => WriteNews(entry, console.Error),
+            StopTimeout = StopTimeout,
+        };
+        var reactor = new RabitReactor(reactorOptions) { vehicle };
+        if (folder is not null)
+            reactor.Add(new CameraRecorderManager(world.CreateCamera(), new PictureFolderWriter(folder)));
+        var line = new StatusLine(console.Output, console.Error);
+        line.Write($"simulated vehicle, seed {options.World.Seed}, on {options.Link}; Ctrl-C ends it");
+
+        Task<ReactorResult> run = reactor.RunAsync();
+        while (!run.Wait(ShowEvery))
+            line.Show(reactor.Now, world.Truth);
+        line.Show(reactor.Now, world.Truth);
+        int exitCode = run.GetAwaiter().GetResult().ExitCode;
+        return exitCode == ToolExitCode.Done && line.HasFailed ? ToolExitCode.BadInput : exitCode;
+    }
+
+    // What is read is never written to.
+    private static void CheckTruthOverwrites(string option, string? file, VehicleOptions options)
+    {
+        if (file is { Length: > 0 } && options.TruthFile is { Length: > 0 } truth
+            && string.Equals(Path.GetFullPath(file), Path.GetFullPath(truth), StringComparison.Ordinal))
+            throw new ArgumentException($"{option} and --truth-out are the same file {truth}.", nameof(options));
+    }
+
+    private static void WriteNews(RabitLogEntry entry, TextWriter errors)
+    {
+        if (entry.Kind is RabitLogKind.Fault or RabitLogKind.Manager)
+            errors.WriteLine(entry);
+    }
+
+    // ArgumentException adds the parameter's name on a line or in brackets; a person needs the sentence alone.
+    private static string FirstLine(Exception e)
+    {
+        string text = e.Message;
+        int end = text.IndexOf(" (Parameter '", StringComparison.Ordinal);
+        if (end < 0)
+            end = text.IndexOfAny(['\r', '\n']);
+        return end < 0 ? text : text.Substring(0, end);
+    }
+}

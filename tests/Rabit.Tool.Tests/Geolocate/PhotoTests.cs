@@ -1,0 +1,114 @@
+using System;
+using System.IO;
+using Rabit.Geodesy;
+using Rabit.Geodesy.Tests;
+using Rabit.Vision.Tests.Jpeg;
+using Rabit.Vision.Tests.Metadata;
+using Xunit;
+
+namespace Rabit.Tool.Tests.Geolocate;
+
+public sealed class PhotoTests : IDisposable
+{
+    private const double Latitude = 46 + (50 / 60.0) + (33.3855 / 3600);
+    private const double Longitude = -(91 + (59 / 60.0) + (40.4156 / 3600));
+    private static readonly double FocalPixels = 61 / 36.0 * 20;
+
+    private readonly GeolocateFiles _run = new();
+
+    public void Dispose() => _run.Dispose();
+
+    // The camera looks down by 89.9 degrees to the northeast, its roll is 0.1, 39.8 m above the ground.
+    [Theory]
+    [InlineData(30, 21, 0)]
+    [InlineData(50, 21, 135)]
+    [InlineData(30, 1, 45)]
+    public void Photo_ByItself_GivesThePlace(double column, double row, double azimuthDegrees)
+    {
+        string photo = Write("a.jpg", PhotoBytes.Drone());
+
+        Assert.Equal(0, _run.Run(photo, "--pixel", FormattableString.Invariant($"{column},{row}"), "--json"));
+
+        double metres = Math.Max(Math.Abs(column - 30), Math.Abs(row - 21)) / FocalPixels * 39.8;
+        NedPosition place = PlaceFromCamera();
+        Assert.Equal(metres * Math.Cos(azimuthDegrees * Vectors.Degree), place.North, 0.2);
+        Assert.Equal(metres * Math.Sin(azimuthDegrees * Vectors.Degree), place.East, 0.2);
+        Assert.Equal(-198.309 - 39.8, _run.Json.Number("altitudeAmslMetres"), 3);
+        Assert.InRange(_run.Json.Number("ellipse95HalfMajorAxisMetres"), 2, 6);
+    }
+
+    [Fact]
+    public void Photo_Turned_GivesThePlaceOfTheOppositePixel()
+    {
+        string photo = Write("a.jpg", PhotoBytes.Drone());
+
+        Assert.Equal(0, _run.Run(photo, "--pixel", "10", "41", "--turned", "--json"));
+        GeodeticPosition turned = _run.Place;
+        Assert.Equal(0, _run.Run(photo, "--pixel", "50", "1", "--json"));
+
+        Assert.Equal(turned, _run.Place);
+    }
+
+    [Fact]
+    public void Photo_WithOptions_TakesThemInstead()
+    {
+        string photo = Write("a.jpg", PhotoBytes.Drone());
+
+        Assert.Equal(0, _run.Run(
+            photo, "--pixel", "60,21", "--json", "--height", "100", "--camera-roll", "0", "--camera-pitch", "-90",
+            "--camera-yaw", "0", "--sensor-width", "6.1", "--focal-length", "6.1"));
+
+        NedPosition place = PlaceFromCamera();
+        Assert.Equal(0, place.North, 0.01);
+        Assert.Equal(30 / 61.0 * 100, place.East, 0.01);
+    }
+
+    [Fact]
+    public void Photo_ThatSaysNothing_NamesAllThatIsMissing()
+    {
+        string photo = Write("a.JPEG", JpegFiles.Read("420.jpg"));
+
+        Assert.Equal(2, _run.Run(photo, "--pixel", "1,1"));
+
+        Assert.Contains(
+            "a.JPEG does not say its latitude (--latitude), its longitude (--longitude), its altitude (--altitude), its "
+            + "height above the ground (--height or --ground-altitude), the pitch of its camera (--camera-pitch), the yaw "
+            + "of its camera (--camera-yaw), its focal length (--focal-length-35mm, or --focal-length and "
+            + "--sensor-width).", _run.Errors, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Photo_WrongUse_IsNamed()
+    {
+        string photo = Write("a.jpg", PhotoBytes.Drone());
+        string camera = _run.File("camera.json", GeolocateFiles.Camera);
+
+        AssertRefused("--pixel is missing", photo);
+        AssertRefused("is a photo, which needs no request.json", photo, "request.json", "--pixel", "1,1");
+        AssertRefused("--height is for a photo", camera, "--height", "5");
+        AssertRefused("--turned is for a photo", camera, "--turned");
+        AssertRefused("'x' is not a number", photo, "--pixel", "1,x");
+        AssertRefused("--height is NaN, which is not finite", photo, "--pixel", "1,1", "--height", "NaN");
+        AssertRefused("it must", photo, "--pixel", "1,1", "--sensor-width", "0");
+        AssertRefused("that is no JPEG", Write("b.jpg", [1, 2, 3]), "--pixel", "1,1");
+        Assert.Equal(1, _run.Run(photo, "--pixel", "61,1"));
+        Assert.StartsWith("refused: OutsidePicture", _run.Output, StringComparison.Ordinal);
+    }
+
+    private void AssertRefused(string reason, params string[] arguments)
+    {
+        Assert.Equal(2, _run.Run(arguments));
+        Assert.Contains(reason, _run.Errors, StringComparison.Ordinal);
+    }
+
+    private NedPosition PlaceFromCamera()
+        => LocalNedFrame.IgnoringGeoid(GeodeticPosition.FromDegrees(Latitude, Longitude, -198.309 - 39.8))
+            .ToNed(_run.Place);
+
+    private string Write(string name, byte[] bytes)
+    {
+        string path = _run.PathOf(name);
+        File.WriteAllBytes(path, bytes);
+        return path;
+    }
+}
