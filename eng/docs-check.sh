@@ -101,7 +101,7 @@ run_commands() {
     [ -z "$marker" ] || cd "$before"
 }
 
-# A program without the name of a file is built against all packages of the first command, and not run.
+# A program without the name of a file is built against all libraries among the packages of the first command, and not run.
 build_with_packages() {
     local project id
     project=$(mktemp -d -p "$work")/program
@@ -109,7 +109,7 @@ build_with_packages() {
     cp "$1" "$project/Program.cs"
     {
         echo '<Project><ItemGroup>'
-        sed -nE '/ none +none/d; s/^([A-Za-z][^ ]*).*/\1/p' "$root/eng/packages.txt" | while read -r id; do
+        sed -nE '/ (none|tool) +none/d; s/^([A-Za-z][^ ]*).*/\1/p' "$root/eng/packages.txt" | while read -r id; do
             echo "<PackageReference Include=\"$id\" Version=\"$version\" />"
         done
         echo '</ItemGroup></Project>'

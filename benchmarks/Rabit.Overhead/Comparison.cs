@@ -14,7 +14,8 @@ namespace Rabit.Overhead;
 internal sealed class Comparison(TimeSpan measured)
 {
     private static readonly TimeSpan WarmUp = TimeSpan.FromSeconds(40);
-    private static readonly Parts[] Variants = [Parts.None, Parts.Hosting, Parts.Page, Parts.Tool, Parts.All];
+    private static readonly Parts[] Variants =
+        [Parts.None, Parts.Hosting, Parts.Page, Parts.Tool, Parts.All, Parts.TwentyBrowsers];
 
     private readonly Dictionary<Parts, List<double>> _taken = Variants.ToDictionary(v => v, _ => new List<double>());
 

@@ -73,7 +73,8 @@ internal sealed class FlightProcess : IDisposable
     public async Task ConnectAsync()
     {
         string[] where = (await _where.Task.WaitAsync(TimeSpan.FromMinutes(1))).Split('\t');
-        if (Parts.HasFlag(Parts.Page))
+        int browsers = Parts.HasFlag(Parts.TwentyBrowsers) ? 20 : Parts.HasFlag(Parts.Page) ? 1 : 0;
+        for (int i = 0; i < browsers; i++)
             _ = WatchPageAsync(new Uri(where[0].Replace("http", "ws", StringComparison.Ordinal) + "live"));
         if (Parts.HasFlag(Parts.Tool))
             _ = AskStatusAsync(where[1]);

@@ -18,6 +18,12 @@ internal enum Parts
     /// <summary>The diagnostics, and one tool that asks for the status every second, as "rabit top".</summary>
     Tool = 4,
 
-    /// <summary>All of them.</summary>
+    /// <summary>Nineteen browsers beside that of <see cref="Page"/>.</summary>
+    NineteenMore = 8,
+
+    /// <summary>Hosting, page and diagnostics.</summary>
     All = Hosting | Page | Tool,
+
+    /// <summary>The live page, and twenty browsers.</summary>
+    TwentyBrowsers = Page | NineteenMore,
 }

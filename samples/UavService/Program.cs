@@ -4,6 +4,7 @@ using Microsoft.Extensions.Configuration;
 using Microsoft.Extensions.DependencyInjection;
 using Microsoft.Extensions.Diagnostics.HealthChecks;
 using Microsoft.Extensions.Hosting;
+using Microsoft.Extensions.Logging;
 using Rabit.Diagnostics;
 using Rabit.Hosting;
 using Rabit.Uav.Hosting;
@@ -34,6 +35,8 @@ try
     using IHost host = builder.Build();
     if (onlyChecks)
         return Messages.SettingsAreGood(host.Services);
+    if (diagnostics?.Fault is { } fault)
+        DiagnosticsLog.NotOpened(host.Services.GetRequiredService<ILogger<RabitDiagnostics>>(), fault);
     await host.RunAsync();   // until SIGTERM, Ctrl-C, or the end of the managers
     return Environment.ExitCode;   // theirs
 }

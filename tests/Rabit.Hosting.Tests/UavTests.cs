@@ -125,7 +125,10 @@ public sealed class UavTests
     {
         Read(out IReadOnlyList<string> faults, ("Uav:Links:0", Link), ("Uav:Signing:KeyFile", "/none"));
 
-        Assert.EndsWith("'/none'.", Assert.Single(faults), StringComparison.Ordinal);
+        string fault = Assert.Single(faults);
+        Assert.StartsWith("Uav:Signing:KeyFile: ", fault, StringComparison.Ordinal);
+        Assert.Contains("/none", fault, StringComparison.Ordinal);   // quoted as the runtime does
+        Assert.DoesNotContain('\n', fault);
     }
 
     [Fact]
