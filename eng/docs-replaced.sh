@@ -2,6 +2,7 @@
 # a line that begins with "replaced: ". What is neither replaced nor works fails.
 
 programs=()      # process ids of programs that run until they are stopped
+said=$work/said.txt   # what they print
 in_background=   # whether a command is such a program: it takes the place of its shell, so that signals reach it
 
 # "sudo cp", "systemctl" and "journalctl" work on a folder instead of this machine.
@@ -36,7 +37,7 @@ run_command() {
 start_program() {
     echo "replaced: runs in the background until it is stopped by SIGTERM"
     in_background=1
-    eval "$1 > '$printed' 2>&1 &"
+    eval "$1 > '$said' 2>&1 &"
     in_background=
     programs+=($!)
 }
@@ -50,12 +51,12 @@ await_socket() {
         fi
         if ! kill -0 "${programs[-1]}" 2> /dev/null; then
             echo "It has ended:"
-            cat "$printed"
+            cat "$said"
             return 1
         fi
         sleep 0.1
     done
-    cat "$printed"
+    cat "$said"
     echo "No socket in $XDG_RUNTIME_DIR/rabit."
     return 1
 }
@@ -69,12 +70,12 @@ await_page() {
         fi
         if ! kill -0 "${programs[-1]}" 2> /dev/null; then
             echo "It has ended:"
-            cat "$printed"
+            cat "$said"
             return 1
         fi
         sleep 0.1
     done
-    cat "$printed"
+    cat "$said"
     echo "No page at $1."
     return 1
 }
@@ -88,7 +89,7 @@ end_programs() {
         wait "$process" || status=$?
         echo "stopped: exit code $status"
         if [ $status -gt 1 ]; then
-            cat "$printed"
+            cat "$said"
             return 1
         fi
     done
