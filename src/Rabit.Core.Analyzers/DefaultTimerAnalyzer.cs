@@ -47,7 +47,7 @@ public sealed class DefaultTimerAnalyzer : DiagnosticAnalyzer
     {
         private static readonly string[] Wired = ["Publish", "Subscribe", "SubscribeToStatus", "Send", "AttachWriter"];
 
-        // Written by several threads, to one value only.
+        // Written by several threads, to true only: what another thread has set must never be written back.
         private volatile bool _isWoken;
         private volatile bool _isWired;
 
@@ -65,13 +65,16 @@ public sealed class DefaultTimerAnalyzer : DiagnosticAnalyzer
                     _isWoken = true;
                     break;
                 case IInvocationOperation invocation:
-                    _isWired |= Array.IndexOf(Wired, invocation.TargetMethod.Name) >= 0;
-                    _isWoken |= invocation.Arguments.Any(Wakes);
+                    if (Array.IndexOf(Wired, invocation.TargetMethod.Name) >= 0)
+                        _isWired = true;
+                    if (invocation.Arguments.Any(Wakes))
+                        _isWoken = true;
                     break;
-                case IPropertyReferenceOperation { Property.Name: "WakeUpDelay" or "Period" } property:
-                    _isWoken |= property.Parent is ITupleOperation
+                case IPropertyReferenceOperation { Property.Name: "WakeUpDelay" or "Period" } property
+                    when property.Parent is ITupleOperation
                         || (property.Parent is IAssignmentOperation assignment
-                            && ReferenceEquals(assignment.Target, property));
+                            && ReferenceEquals(assignment.Target, property)):
+                    _isWoken = true;
                     break;
                 case IInstanceReferenceOperation { Parent: not (IMemberReferenceOperation or IInvocationOperation) }:
                     _isWoken = true;
