@@ -100,7 +100,8 @@ public sealed class TcpServerLink : IByteLink
             listener = new Socket(own.AddressFamily, SocketType.Stream, ProtocolType.Tcp) { Blocking = false };
             listener.Bind(new IPEndPoint(own, port));
             listener.Listen(MaxClients);
-            wake = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp) { Blocking = false };
+            wake = UdpSocket.Create(AddressFamily.InterNetwork);
+            wake.Blocking = false;
             wake.Bind(new IPEndPoint(IPAddress.Loopback, 0));
             wake.Connect(wake.LocalEndPoint!);
             int chosen = ((IPEndPoint)listener.LocalEndPoint!).Port;

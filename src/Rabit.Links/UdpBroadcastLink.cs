@@ -63,11 +63,9 @@ public sealed class UdpBroadcastLink : IByteLink, INonBlockingWriter
         Socket? socket = null;
         try
         {
-            socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp)
-            {
-                EnableBroadcast = true,
-                SendTimeout = options.WriteTimeoutMilliseconds,
-            };
+            socket = UdpSocket.Create(AddressFamily.InterNetwork);
+            socket.EnableBroadcast = true;
+            socket.SendTimeout = options.WriteTimeoutMilliseconds;
             socket.Bind(new IPEndPoint(IPAddress.Any, 0));
             return new UdpBroadcastLink(socket, new LinkLifetime(url), new IPEndPoint(to, port), options);
         }

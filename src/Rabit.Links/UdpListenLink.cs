@@ -74,9 +74,7 @@ public sealed class UdpListenLink : IByteLink, INonBlockingWriter
         Socket? socket = null;
         try
         {
-            socket = new Socket(own.AddressFamily, SocketType.Dgram, ProtocolType.Udp);
-            // Mono lets two programs share a UDP port, so that each gets some of the datagrams, by default.
-            socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.ReuseAddress, false);
+            socket = UdpSocket.Create(own.AddressFamily);
             socket.SendTimeout = options.WriteTimeoutMilliseconds;
             socket.Bind(new IPEndPoint(own, port));
             var local = (IPEndPoint)socket.LocalEndPoint!;

@@ -172,12 +172,10 @@ public sealed class UdpSendLink : IByteLink, INonBlockingWriter
 
     private UdpSocket Connect(IPAddress peer)
     {
-        var socket = new Socket(peer.AddressFamily, SocketType.Dgram, ProtocolType.Udp)
-        {
-            SendTimeout = _writeTimeoutMilliseconds,
-        };
+        Socket socket = UdpSocket.Create(peer.AddressFamily);
         try
         {
+            socket.SendTimeout = _writeTimeoutMilliseconds;
             socket.Connect(new IPEndPoint(peer, _port));
         }
         catch

@@ -35,6 +35,17 @@ internal sealed class UdpSocket(Socket socket, LinkLifetime state, DatagramExcha
     private int _isRetired; // volatile access
     private int _timeout = Timeout.Infinite; // that of the socket
 
+    /// <summary>
+    /// A socket for datagrams that has its port to itself. On Mono two sockets may share one unless they are told not to,
+    /// also where the system chooses it, and each then gets some of the datagrams.
+    /// </summary>
+    public static Socket Create(AddressFamily family)
+    {
+        var socket = new Socket(family, SocketType.Dgram, ProtocolType.Udp);
+        socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.ReuseAddress, false);
+        return socket;
+    }
+
     public LinkRead Read(byte[] buffer, int timeoutMilliseconds)
     {
         state.CheckRead(buffer, timeoutMilliseconds);

@@ -48,6 +48,27 @@ public sealed class UdpPeersTests
     }
 
     [Fact]
+    public void Open_ManyAtOnce_EachHasItsOwnPort()
+    {
+        // Mono shares the ports of UDP unless it is told not to: some of 300 had the same, and one got both's datagrams.
+        using var server = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        server.Bind(new IPEndPoint(IPAddress.Loopback, 0));
+        var links = new List<UdpSendLink>();
+        var ports = new HashSet<int>();
+        for (int i = 0; i < 300; i++)
+        {
+            links.Add(UdpSendLink.Open("127.0.0.1", ((IPEndPoint)server.LocalEndPoint!).Port));
+            links[i].Write(new byte[] { 1 }, 0, 1);
+            EndPoint sender = new IPEndPoint(IPAddress.Any, 0);
+            server.ReceiveFrom(new byte[10], ref sender);
+            ports.Add(((IPEndPoint)sender).Port);
+        }
+
+        Assert.Equal(300, ports.Count);
+        links.ForEach(l => l.Dispose());
+    }
+
+    [Fact]
     public void Write_PeerSilentForLong_ItIsForgottenAndCounted()
     {
         var clock = new ManualClock();
