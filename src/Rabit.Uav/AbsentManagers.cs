@@ -54,7 +54,7 @@ internal static class AbsentManagers
             },
             UavManagers.ImageProcessing => new AbsentManager(ImageProcessingManager.ManagerName, reason)
             {
-                Publishes = [MessageNames.Imaging],
+                Publishes = [MessageNames.Imaging, MessageNames.LandingTarget],
                 Sends = [MessageNames.CameraObservations, MessageNames.SearchedGround],
                 Receives = [MessageNames.Poses],
             },

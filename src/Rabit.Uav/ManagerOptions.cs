@@ -25,6 +25,9 @@ internal static class ManagerOptions
     // What the gimbal reports of itself is worth more than what it was pointed by.
     private static readonly RequestedRate GimbalRate = new(GimbalDeviceAttitudeStatus.MavlinkId, 10);
 
+    // PX4 takes a landing target in the frame that this is in.
+    private static readonly RequestedRate LocalPositionRate = new(LocalPositionNed.MavlinkId, 20);
+
     public static IEnumerable<string> FindContradictions(UavOptions options)
     {
         CommunicationsOptions communications = options.Communications;
@@ -168,6 +171,10 @@ internal static class ManagerOptions
         if (MissionOf(options) is { HasGimbal: true }
             && made.RequestedRates.All(r => r.MessageId != GimbalDeviceAttitudeStatus.MavlinkId))
             made.RequestedRates = [.. made.RequestedRates, GimbalRate];
+        made.SendsLandingTarget |= options.Imaging.LandingMarker is not null;
+        made.SendsLandingTarget &= !options.IsReplay;
+        if (made.SendsLandingTarget && made.RequestedRates.All(r => r.MessageId != LocalPositionNed.MavlinkId))
+            made.RequestedRates = [.. made.RequestedRates, LocalPositionRate];
         return made;
     }
 

@@ -81,6 +81,7 @@ public sealed partial class AutopilotManager
             || vehicle.LandedState is MavLandedState.InAir or MavLandedState.Takeoff or MavLandedState.Landing;
         _executor.TakeReboot(wasFlying, time);
         _clock.Restart(time);
+        _landing.Clear();
     }
 
     private void PushPose(PoseSampleKind kind, TimeSpan arrival)

@@ -22,6 +22,9 @@ public sealed partial class AutopilotManager
             case Attitude.MavlinkId:
                 mavlink.TryDecode(out Attitude attitude);
                 return TakePose(frame, Complete(frame, _tracker.Update(frame, attitude)), PoseSampleKind.Attitude);
+            case LocalPositionNed.MavlinkId:
+                mavlink.TryDecode(out LocalPositionNed local);
+                return Take(frame, local);
             case SysStatus.MavlinkId:
                 mavlink.TryDecode(out SysStatus status);
                 return Take(frame, status);

@@ -30,7 +30,9 @@ public sealed partial class AutopilotManager
     private static readonly int[] OfArdupilot =
         [EkfStatusReport.MavlinkId, Wind.MavlinkId, GpsGlobalOrigin.MavlinkId];
     private static readonly int[] OfPx4 =
-        [EstimatorStatus.MavlinkId, WindCov.MavlinkId, PositionTargetGlobalInt.MavlinkId];
+    [
+        EstimatorStatus.MavlinkId, WindCov.MavlinkId, PositionTargetGlobalInt.MavlinkId, LocalPositionNed.MavlinkId,
+    ];
 
     // The checklist needs home beside the rest.
     private IEnumerable<RequestedRate> RatesFor(in VehicleState vehicle)

@@ -64,6 +64,7 @@ public sealed partial class AutopilotManager : RabitManager
         _poses = Send<PoseSample>(MessageNames.Poses);
         PublishSetup();
         _fenceMessage = Publish(MessageNames.AutopilotFence, AutopilotFence.Unknown);
+        _landingTarget = Subscribe<LandingTargetObservation>(MessageNames.LandingTarget, wakeOnPost: true);
         WakeUpDelay = IdleDelay;
     }
 
@@ -93,6 +94,7 @@ public sealed partial class AutopilotManager : RabitManager
         RequestTime();
         RunEvents();
         ExecuteCommands();
+        SendLandingTarget();
         PostStatistics();
         WakeUpDelay = NextWakeUpDelay();
     }

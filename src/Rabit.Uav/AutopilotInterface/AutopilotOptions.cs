@@ -99,6 +99,17 @@ public sealed class AutopilotOptions
     public bool WatchesFence { get; set; }
 
     /// <summary>
+    /// Whether <see cref="LandingTargetObservation"/> is sent on as LANDING_TARGET, also where we may not command: the
+    /// autopilot uses it only where its own precision landing is on. ArduPilot is sent the direction and distance in
+    /// the frame of the body; PX4 the place in its local frame, which needs LOCAL_POSITION_NED.
+    /// </summary>
+    /// <value>
+    /// The default is false; <see cref="UavSystem"/> sets it where
+    /// <see cref="ImageProcessing.ImageProcessingOptions.LandingMarker"/> is declared, but not in a replay.
+    /// </value>
+    public bool SendsLandingTarget { get; set; }
+
+    /// <summary>
     /// The texts of the autopilot's events (PX4): with them events are status texts, and reasons of refusals. Without,
     /// each is a line of the log with its number, level and arguments.
     /// </summary>

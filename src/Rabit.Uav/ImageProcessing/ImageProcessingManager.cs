@@ -49,12 +49,14 @@ public sealed class ImageProcessingManager : RabitManager
     private readonly ImageProcessingOptions _options;
     private readonly BlockingReader<CameraFrame>? _camera;
     private readonly PictureSearch? _search;
+    private readonly LandingMarkerFinder? _landingMarker;
     private readonly QueueReceiver<PoseSample> _poseQueue;
     private readonly MessageSubscriber<ImagingCommand> _command;
     private readonly MessageSubscriber<OwnAddress> _ownAddress;
     private readonly QueueSender<CameraObservation> _observations;
     private readonly QueueSender<CameraObservation> _searchedGround;
     private readonly MessagePublisher<ImagingStatus> _status;
+    private readonly MessagePublisher<LandingTargetObservation> _landingTarget;
     private readonly PoseHistory _poses;
     private readonly WaitingFrames _waiting;
     private readonly ImageChipBuffer _imageChips;
@@ -81,6 +83,8 @@ public sealed class ImageProcessingManager : RabitManager
         {
             _camera = AttachReader("camera", camera, FramesQueued, QueueFullMode.DropOldest);
             _search = new PictureSearch(_options, _options.Camera!, _poses, () => Now);
+            if (_options.LandingMarker is { } marker)
+                _landingMarker = new LandingMarkerFinder(marker, _options.Camera!, _options.Mount);
         }
 
         _poseQueue = Receive<PoseSample>(MessageNames.Poses, PosesQueued, QueueFullMode.DropOldest);
@@ -89,6 +93,7 @@ public sealed class ImageProcessingManager : RabitManager
         _observations = Send<CameraObservation>(MessageNames.CameraObservations);
         _searchedGround = Send<CameraObservation>(MessageNames.SearchedGround);
         _status = Publish<ImagingStatus>(MessageNames.Imaging);
+        _landingTarget = Publish<LandingTargetObservation>(MessageNames.LandingTarget);
         _waiting = new WaitingFrames(_options.FramesWaiting);
         _imageChips = new ImageChipBuffer(_options.MaxImageChips, _options.ImageChipSide);
         WakeUpDelay = IdlePeriod;
@@ -108,16 +113,21 @@ public sealed class ImageProcessingManager : RabitManager
         while (_poseQueue.TryPop(out PoseSample sample))
             _poses.Add(sample);
         TakeFrames(now);
-        if (_command.Value.Mode == ImagingMode.Search)
-            SearchWaiting(now);
-        else
+        if (!IsSearching)
             StopSearch();
+        if (UsesPictures)
+            SearchWaiting(now);
         PostStatus(now);
         WakeUpDelay = NextWakeUp(now);
     }
 
     /// <inheritdoc/>
     protected override void Shutdown() => _waiting.Clear();
+
+    private bool IsSearching => _command.Value.Mode == ImagingMode.Search;
+
+    // The landing marker is looked for in any mode: vehicles also land without a mission.
+    private bool UsesPictures => IsSearching || _landingMarker is not null;
 
     private void TakeFrames(TimeSpan now)
     {
@@ -128,7 +138,7 @@ public sealed class ImageProcessingManager : RabitManager
             _next.Frames++;
             _next.LastFrameTime = now;
             bool isNew = _numbers.Take(frame.Number, _camera.Counters.Dropped);
-            if (_command.Value.Mode != ImagingMode.Search)
+            if (!UsesPictures)
             {
                 frame.Dispose();
                 continue;
@@ -178,14 +188,14 @@ public sealed class ImageProcessingManager : RabitManager
         {
             PoseLookup answer = FindPoses(_waiting[i], out Pose pose);
             if (answer == PoseLookup.Known)
-                Search(i, pose);
+                Use(i, pose);
             else if (answer != PoseLookup.NotYet)
                 Refuse(i, answer == PoseLookup.Gap ? PoseGap : PoseTooOld);
             else if (now - _waiting.Since(i) < _options.PoseTimeout)
                 i++;
             else if (_poses.Extrapolate(MiddleOf(_waiting[i]), _options.MaxExtrapolation, out pose)
                 == PoseLookup.Extrapolated)
-                Search(i, pose);
+                Use(i, pose);
             else
                 Refuse(i, _poses.IsGimbalSilent(MiddleOf(_waiting[i])) ? GimbalSilent : NoPose);
         }
@@ -207,10 +217,33 @@ public sealed class ImageProcessingManager : RabitManager
     // A frame is here only with a camera.
     private TimeSpan LastRow() => _options.Camera!.ReadoutOf(_options.Camera.Height - 1);
 
-    private void Search(int index, in Pose pose)
+    private void Use(int index, in Pose pose)
     {
         // Given back in any case, also after an exception.
         using CameraFrame frame = _waiting.TakeOut(index);
+        FindLandingMarker(frame, pose);
+        if (IsSearching)
+            Search(frame, pose);
+    }
+
+    private void FindLandingMarker(in CameraFrame frame, in Pose pose)
+    {
+        LandingTargetObservation observation = default;
+        switch (_landingMarker?.Find(frame, pose, _command.Value, out observation))
+        {
+            case LandingMarkerResult.Found:
+                _landingTarget.Value = observation;
+                _landingTarget.PostStamped(observation.Time);
+                _next.LandingMarkersFound++;
+                break;
+            case LandingMarkerResult.SeenTwice or LandingMarkerResult.NotASquare:
+                _next.LandingMarkersRefused++;
+                break;
+        }
+    }
+
+    private void Search(in CameraFrame frame, in Pose pose)
+    {
         string? refusal = _search!.Search(frame, pose, _command.Value, _ownAddress.Value.SystemId);
         _next.GroundSamplingMetres = _search.View.GroundSamplingMetres;
         if (refusal is not null)
@@ -250,8 +283,11 @@ public sealed class ImageProcessingManager : RabitManager
         Count(quality, isByTilt);
     }
 
+    // Of the search alone: it is judged by them.
     private void Count(PictureQuality quality, bool isByTilt = false)
     {
+        if (!IsSearching)
+            return;
         PictureCounts counts = _next.Pictures;
         counts.Count(quality);
         _next.Pictures = counts;
@@ -261,7 +297,8 @@ public sealed class ImageProcessingManager : RabitManager
     // What was seen before says nothing of the next search.
     private void StopSearch()
     {
-        _waiting.Clear();
+        if (!UsesPictures)
+            _waiting.Clear();
         _window.Clear();
     }
 

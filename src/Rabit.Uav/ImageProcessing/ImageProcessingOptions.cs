@@ -36,6 +36,14 @@ public sealed class ImageProcessingOptions
     /// <value>The default is <see cref="TargetClass.Defaults"/>: square panels of five colours.</value>
     public ImmutableArray<TargetClass> TargetClasses { get; set; } = TargetClass.Defaults;
 
+    /// <summary>
+    /// The marker on the place to land on: every picture is searched for it, whatever the mission does, and where it is
+    /// goes to the autopilot (<see cref="LandingTargetObservation"/>), which lands on it where it is set up for that.
+    /// It needs no target class.
+    /// </summary>
+    /// <value>The default, null, is none.</value>
+    public LandingMarkerOptions? LandingMarker { get; set; }
+
     /// <summary>What finds targets in pictures. It belongs to one manager; its thread is that of the manager.</summary>
     /// <value>The default, null, is a <see cref="ColourTargetDetector"/> of <see cref="TargetClasses"/>, and a
     /// <see cref="MarkerTargetDetector"/> of those that are markers.</value>
@@ -119,6 +127,7 @@ public sealed class ImageProcessingOptions
             throw new ArgumentException("Image Processing: " + string.Join("; ", faults) + ".", parameter);
         ImageProcessingOptions copy = Copy();
         copy.Errors = Errors.Copy();
+        copy.LandingMarker = LandingMarker?.Copy();
         copy.ColourDetector = ColourDetector.Copy();
         return copy;
     }
@@ -180,6 +189,7 @@ public sealed class ImageProcessingOptions
         => (Camera?.FindFaults() ?? [])
             .Concat(Mount?.FindFaults() ?? [])
             .Concat(Errors?.FindFaults() ?? [])
+            .Concat(LandingMarker?.FindFaults() ?? [])
             .Concat(TargetClass.FindFaults(TargetClasses))
             .Concat(ColourDetector?.FindFaults() ?? [])
             .Concat(Detector is null && !TargetClasses.IsDefault

@@ -34,6 +34,15 @@ public struct AutopilotStatistics
     /// </summary>
     public double RoundTripSeconds { get; set; }
 
+    /// <summary>Observations of the landing marker that were sent to the autopilot as LANDING_TARGET.</summary>
+    public long LandingTargetsSent { get; set; }
+
+    /// <summary>
+    /// Observations of the landing marker that were not: no autopilot is connected or it is of another make, they are
+    /// too old, the marker is not below the vehicle (ArduPilot), or the local position is not known (PX4).
+    /// </summary>
+    public long LandingTargetsNotSent { get; set; }
+
     /// <summary>The results of the requests for message rates.</summary>
     public RateRequestCounts RateRequests { get; set; }
 }

@@ -91,6 +91,14 @@ public struct ImagingStatus
     /// </summary>
     public string? UnknownClasses { get; set; }
 
+    /// <summary>Pictures in which the landing marker was found; see <see cref="LandingTargetObservation"/>.</summary>
+    public long LandingMarkersFound { get; set; }
+
+    /// <summary>
+    /// Pictures in which it was seen but is not reported: twice in one picture, or its corners are none of a square.
+    /// </summary>
+    public long LandingMarkersRefused { get; set; }
+
     /// <summary>Whether the camera gives no more pictures, because it has no more or failed.</summary>
     public bool HasEnded { get; set; }
 

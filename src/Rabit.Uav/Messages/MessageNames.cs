@@ -54,6 +54,11 @@ public static class MessageNames
     /// <summary>Message <see cref="Messages.ImagingStatus"/>, posted by Image Processing.</summary>
     public const string Imaging = "imaging";
 
+    /// <summary>
+    /// Message <see cref="LandingTargetObservation"/>, posted by Image Processing where a landing marker is declared.
+    /// </summary>
+    public const string LandingTarget = "landing target";
+
     /// <summary>Message <see cref="TrackList"/>, posted by Sensor Fusion.</summary>
     public const string Tracks = "tracks";
 

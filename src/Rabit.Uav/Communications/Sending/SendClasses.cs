@@ -44,6 +44,7 @@ internal static class SendClasses
         TerrainReport.MavlinkId, Meminfo.MavlinkId, Ahrs.MavlinkId, Ahrs2.MavlinkId, Hwstatus.MavlinkId,
         OnboardComputerStatus.MavlinkId, CameraTrackingGeoStatus.MavlinkId, GimbalDeviceAttitudeStatus.MavlinkId,
         RadioStatus.MavlinkId, EscStatus.MavlinkId, FollowTarget.MavlinkId, UtmGlobalPosition.MavlinkId,
+        LandingTarget.MavlinkId,
     ];
 
     /// <summary>The class of a frame.</summary>
