@@ -228,17 +228,18 @@ public sealed class ImageProcessingManager : RabitManager
 
     private void FindLandingMarker(in CameraFrame frame, in Pose pose)
     {
-        LandingTargetObservation observation = default;
-        switch (_landingMarker?.Find(frame, pose, _command.Value, out observation))
+        if (_landingMarker is null)
+            return;
+        ImagingCommand? command = _command.Stamp.Version == 0 ? null : _command.Value;
+        if (_landingMarker.TryFind(frame, pose, command, out LandingTargetObservation target, out string? refusal))
         {
-            case LandingMarkerResult.Found:
-                _landingTarget.Value = observation;
-                _landingTarget.PostStamped(observation.Time);
-                _next.LandingMarkersFound++;
-                break;
-            case LandingMarkerResult.SeenTwice or LandingMarkerResult.NotASquare:
-                _next.LandingMarkersRefused++;
-                break;
+            _landingTarget.PostStamped(target, target.Time);
+            _next.LandingMarkersFound++;
+        }
+        else if (refusal is not null)
+        {
+            _next.LandingMarkersRefused++;
+            _next.LastLandingMarkerRefusal = refusal;
         }
     }
 

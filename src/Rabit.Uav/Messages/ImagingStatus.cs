@@ -94,10 +94,11 @@ public struct ImagingStatus
     /// <summary>Pictures in which the landing marker was found; see <see cref="LandingTargetObservation"/>.</summary>
     public long LandingMarkersFound { get; set; }
 
-    /// <summary>
-    /// Pictures in which it was seen but is not reported: twice in one picture, or its corners are none of a square.
-    /// </summary>
+    /// <summary>Pictures in which it was seen but is not reported, or could not be looked for.</summary>
     public long LandingMarkersRefused { get; set; }
+
+    /// <summary>Why the last of them; null while there was none.</summary>
+    public string? LastLandingMarkerRefusal { get; set; }
 
     /// <summary>Whether the camera gives no more pictures, because it has no more or failed.</summary>
     public bool HasEnded { get; set; }

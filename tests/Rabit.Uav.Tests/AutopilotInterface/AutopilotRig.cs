@@ -22,6 +22,7 @@ internal sealed class AutopilotRig : IDisposable
     private readonly MessageSubscriber<CommandAuthority> _authority;
     private readonly MessageSubscriber<AutopilotStatistics> _statistics;
     private readonly QueueSender<VehicleCommand> _commands;
+    private readonly MessagePublisher<LandingTargetObservation> _landingTarget;
     private long _index;
 
     public AutopilotRig(AutopilotOptions? options = null)
@@ -37,6 +38,7 @@ internal sealed class AutopilotRig : IDisposable
         _authority = Reactor.Workspace.Subscribe<CommandAuthority>(MessageNames.CommandAuthority);
         _statistics = Reactor.Workspace.Subscribe<AutopilotStatistics>(MessageNames.AutopilotStatistics);
         _commands = Reactor.Workspace.Send<VehicleCommand>(MessageNames.VehicleCommands);
+        _landingTarget = Reactor.Workspace.Publish<LandingTargetObservation>(MessageNames.LandingTarget);
         Reactor.Start();
         Reactor.RunFor(TimeSpan.Zero);
     }
@@ -118,6 +120,13 @@ internal sealed class AutopilotRig : IDisposable
 
     /// <summary>Hands a command in, as Mission Control does.</summary>
     public void Command(in VehicleCommand command) => _commands.Push(command);
+
+    /// <summary>Posts where the marker to land on is, as Image Processing does.</summary>
+    public void Post(in LandingTargetObservation target)
+    {
+        _landingTarget.Value = target;
+        _landingTarget.PostStamped(target.Time);
+    }
 
     /// <summary>Heartbeats once a second for so many seconds.</summary>
     public void Beat(int seconds, Heartbeat? heartbeat = null)

@@ -23,6 +23,7 @@ internal sealed class ImagingRig : IDisposable
     private readonly MessagePublisher<ImagingCommand> _order;
     private readonly MessagePublisher<OwnAddress> _ownAddress;
     private readonly MessageSubscriber<ImagingStatus> _status;
+    private readonly MessageSubscriber<LandingTargetObservation> _landingTarget;
     private bool _isFinished;
 
     public ImagingRig(ScriptedCamera? camera, ImageProcessingOptions? options = null, bool sinkIsSmall = false)
@@ -43,6 +44,7 @@ internal sealed class ImagingRig : IDisposable
         _ownAddress = Reactor.Workspace.Publish<OwnAddress>(MessageNames.OwnAddress);
         _status = Reactor.Workspace.Subscribe<ImagingStatus>(MessageNames.Imaging);
         _status.OnPost(_ => StatusTimes.Add(Reactor.Now));
+        _landingTarget = Reactor.Workspace.Subscribe<LandingTargetObservation>(MessageNames.LandingTarget);
         Reactor.Start();
         _ownAddress.Value = new OwnAddress { SystemId = 7, ComponentId = 191 };
         _ownAddress.Post();
@@ -77,6 +79,16 @@ internal sealed class ImagingRig : IDisposable
             Run(1);
             _status.Fetch();
             return _status.Value;
+        }
+    }
+
+    /// <summary>The last one that was posted, with the time it is stamped with; null where there is none.</summary>
+    public (TimeSpan Stamp, LandingTargetObservation Value)? LandingTarget
+    {
+        get
+        {
+            _landingTarget.Fetch();
+            return _landingTarget.Stamp.Version == 0 ? null : (_landingTarget.Stamp.Time, _landingTarget.Value);
         }
     }
 

@@ -107,6 +107,16 @@ internal sealed class TestView
         return column >= 0 && column <= Camera.Width - 1 && row >= 0 && row <= Camera.Height - 1;
     }
 
+    /// <summary>A point of the ground from the vehicle, in the frame of its body.</summary>
+    public BodyVector ToBody(double north, double east)
+    {
+        double[,] nedFromBody = Times(
+            Times(AboutZ(Attitude.Yaw.Radians), AboutY(Attitude.Pitch.Radians)), AboutX(Attitude.Roll.Radians));
+        double[] body = TimesTransposed(
+            nedFromBody, [north, east, Position.AltitudeAmslMetres - GroundAltitude]);
+        return new BodyVector(body[0], body[1], body[2]);
+    }
+
     /// <summary>The same view as the product would see it with errors drawn from a budget.</summary>
     public TestView WithErrors(Random random, ErrorBudget budget)
     {
