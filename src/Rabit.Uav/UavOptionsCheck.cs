@@ -117,6 +117,9 @@ internal static class UavOptionsCheck
         if (imaging.Detector is not null && options.Camera is null)
             yield return $"there is a {nameof(imaging.Detector)}, but no {nameof(options.Camera)} whose pictures it "
                 + "could search";
+        if (imaging.LandingMarker is not null && options.Camera is null)
+            yield return $"there is a {nameof(imaging.LandingMarker)}, but no {nameof(options.Camera)} whose pictures "
+                + "could show it";
     }
 
     /// <summary>Whether ground between the lanes would not be seen; null where that is not so.</summary>

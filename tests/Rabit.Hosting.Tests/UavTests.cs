@@ -13,6 +13,7 @@ using Rabit.Uav;
 using Rabit.Uav.Hosting;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
+using Rabit.Vision;
 using Xunit;
 
 namespace Rabit.Hosting.Tests;
@@ -34,6 +35,7 @@ public sealed class UavTests
             ("Uav:Health:BatteryLowFraction", "0.3"), ("Uav:Health:AutopilotTimeout", "00:00:03"),
             ("Uav:Autopilot:Setup:SetsFailsafes", "true"), ("Uav:Autopilot:Setup:OriginalsFile", "originals.json"),
             ("Uav:Imaging:MinDepression", "12.5"), ("Uav:Imaging:Errors:PixelNoise", "0.7"),
+            ("Uav:Imaging:LandingMarker:Family", "ArUco4x4"), ("Uav:Imaging:LandingMarker:SideMetres", "0.4"),
             ("Uav:MissionControl:OnStop", "Return"), ("Uav:MissionControl:Energy:Cells", "6"),
             ("Uav:GroundCommands:SystemIds:0", "255"), ("Uav:GroundCommands:SystemIds:1", "254"),
             ("Uav:Preflight:Overrides:0", "fence"), ("Uav:Communications:Recording:Folder", "/flights"));
@@ -50,6 +52,10 @@ public sealed class UavTests
         Assert.True(options.Autopilot.Setup.SetsFailsafes);
         Assert.Equal(12.5, options.Imaging.MinDepression.Degrees, 9);
         Assert.Equal(0.7, options.Imaging.Errors.PixelNoise);
+        Assert.Equal(
+            (MarkerFamily.ArUco4x4, 0, 0.4),
+            (options.Imaging.LandingMarker!.Family, options.Imaging.LandingMarker.Id,
+                options.Imaging.LandingMarker.SideMetres));
         Assert.Equal(OnStop.Return, options.MissionControl.OnStop);
         Assert.Equal(6, options.MissionControl.Energy.Cells);
         Assert.Equal(new byte[] { 255, 254 }, options.GroundCommands!.SystemIds);

@@ -6,6 +6,7 @@ using Rabit.Mavlink;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Communications;
+using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 using Rabit.Uav.Tests.Communications;
@@ -81,6 +82,13 @@ public sealed class UavPartsTests
             o => o.OpenLinks = [o.OpenLinks[0], o.OpenLinks[0]] },
         { "there is a Detector, but no Camera whose pictures it could search",
             o => o.Imaging.Detector = new RednessDetector() },
+        { "there is a LandingMarker, but no Camera whose pictures could show it",
+            o => o.Imaging.LandingMarker = new LandingMarkerOptions { SideMetres = 0.5 } },
+        { "Image Processing: the side of the landing marker is 0 m; it must be above 0, at most 20", o =>
+        {
+            o.Imaging.LandingMarker = new LandingMarkerOptions();
+            o.Camera = new ScriptedCamera([]);
+        } },
         { "laneSpacingMetres of the mission is 60.0, wider than the picture: from heightMetres 40.0 the camera sees "
             + "48.2 m across the lanes",
             o =>
@@ -173,6 +181,19 @@ public sealed class UavPartsTests
         Assert.Equal(((byte?)7, (byte)192, 3.0), (made.SystemId, made.ComponentId, made.HeartbeatTimeout.TotalSeconds));
         Assert.Equal((false, true), (made.RequestsRates, made.MayCommand));
         Assert.False(options.Autopilot.MayCommand);
+    }
+
+    [Fact]
+    public void ForAutopilot_LandingMarkerIsDeclared_SendsLandingTargetsAndAsksForTheLocalPosition()
+    {
+        UavOptions options = Options();
+        Assert.False(ManagerOptions.ForAutopilot(options).SendsLandingTarget);
+        options.Imaging.LandingMarker = new LandingMarkerOptions { SideMetres = 0.5 };
+
+        AutopilotOptions made = ManagerOptions.ForAutopilot(options);
+
+        Assert.True(made.SendsLandingTarget);
+        Assert.Single(made.RequestedRates, r => r.MessageId == LocalPositionNed.MavlinkId);
     }
 
     [Fact]

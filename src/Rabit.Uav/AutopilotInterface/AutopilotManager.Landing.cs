@@ -12,7 +12,7 @@ public sealed partial class AutopilotManager
     // ArduPilot forgets a target after a second, and goes back in its own past for the time of the picture.
     private static readonly TimeSpan MaxTargetAge = TimeSpan.FromSeconds(0.5);
 
-    private readonly MessageSubscriber<LandingTargetObservation> _landingTarget;
+    private readonly MessageSubscriber<LandingTargetObservation>? _landingTarget; // null where it is not sent
     private readonly LandingTargetEncoder _landing = new();
 
     private VehicleEvents Take(in LinkFrame frame, in LocalPositionNed position)
@@ -26,7 +26,7 @@ public sealed partial class AutopilotManager
 
     private void SendLandingTarget()
     {
-        if (!_landingTarget.Fetch() || !_options.SendsLandingTarget)
+        if (_landingTarget is null || !_landingTarget.Fetch())
             return;
         ref readonly LandingTargetObservation target = ref _landingTarget.Value;
         _hasNewStatistics = true;

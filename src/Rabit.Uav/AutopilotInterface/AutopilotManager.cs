@@ -64,7 +64,8 @@ public sealed partial class AutopilotManager : RabitManager
         _poses = Send<PoseSample>(MessageNames.Poses);
         PublishSetup();
         _fenceMessage = Publish(MessageNames.AutopilotFence, AutopilotFence.Unknown);
-        _landingTarget = Subscribe<LandingTargetObservation>(MessageNames.LandingTarget, wakeOnPost: true);
+        if (_options.SendsLandingTarget)
+            _landingTarget = Subscribe<LandingTargetObservation>(MessageNames.LandingTarget, wakeOnPost: true);
         WakeUpDelay = IdleDelay;
     }
 
