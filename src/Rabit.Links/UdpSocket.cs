@@ -36,8 +36,8 @@ internal sealed class UdpSocket(Socket socket, LinkLifetime state, DatagramExcha
     private int _timeout = Timeout.Infinite; // that of the socket
 
     /// <summary>
-    /// A socket for datagrams that has its port to itself. On Mono two sockets may share one unless they are told not to,
-    /// also where the system chooses it, and each then gets some of the datagrams.
+    /// A socket for datagrams that has its port to itself. By default two sockets may share one on Mono, also where the
+    /// system chooses it, and each then gets some of the datagrams.
     /// </summary>
     public static Socket Create(AddressFamily family)
     {

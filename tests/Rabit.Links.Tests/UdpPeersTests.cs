@@ -50,7 +50,7 @@ public sealed class UdpPeersTests
     [Fact]
     public void Open_ManyAtOnce_EachHasItsOwnPort()
     {
-        // Mono shares the ports of UDP unless it is told not to: some of 300 had the same, and one got both's datagrams.
+        // By default Mono shares the ports of UDP: some of 300 had the same, and each got some of the other's datagrams.
         using var server = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
         server.Bind(new IPEndPoint(IPAddress.Loopback, 0));
         var links = new List<UdpSendLink>();

@@ -105,7 +105,7 @@ public sealed class LandingMarkerFinderTests
     }
 
     [Fact]
-    public void Find_NobodySaysWhereTheCameraPoints_IsRefusedUnlessItIsFixed()
+    public void Find_DirectionOfTheCameraNotKnown_IsRefusedUnlessItIsFixed()
     {
         TestView view = View();
         byte[] picture = PrintedTag.Show(view, new PrintedTag(0.3, 0, SideMetres));

@@ -40,7 +40,7 @@ public sealed class LandingMarkerTests
     }
 
     [Fact]
-    public void Marker_NobodyHasPointedTheCamera_IsRefusedByName()
+    public void Marker_DirectionOfTheCameraNotKnown_IsRefusedByName()
     {
         using ImagingRig rig = Rig(OneTag.Value, isPointed: false);
         rig.AddPoses(0, 3);
