@@ -50,7 +50,7 @@ public sealed class UdpPeersTests
     [Fact]
     public void Open_ManyAtOnce_EachHasItsOwnPort()
     {
-        // By default Mono shares the ports of UDP: some of 300 had the same, and each got some of the other's datagrams.
+        // Mono shares the ports of UDP: some of 300 were equal, and each got some of the other's datagrams.
         using var server = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
         server.Bind(new IPEndPoint(IPAddress.Loopback, 0));
         var links = new List<UdpSendLink>();

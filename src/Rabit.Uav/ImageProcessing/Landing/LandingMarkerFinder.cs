@@ -39,7 +39,7 @@ internal sealed class LandingMarkerFinder
     /// <param name="frame">The picture.</param>
     /// <param name="middle">The pose at the exposure of the middle row.</param>
     /// <param name="command">
-    /// Where the gimbal points, for one that does not report it; null where nobody has pointed it.
+    /// Where the gimbal points, for one that does not report it; null where it was not pointed.
     /// </param>
     /// <param name="observation">Where it is.</param>
     /// <param name="refusal">Why that is not known although it was seen, or could not be looked for.</param>
