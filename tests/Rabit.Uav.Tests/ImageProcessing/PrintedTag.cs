@@ -6,7 +6,7 @@ using Xunit;
 namespace Rabit.Uav.Tests.ImageProcessing;
 
 /// <summary>
-/// AprilTag 36h11 number 0, printed on white and laid on the ground, as a camera sees it: 3 x 3 samples a pixel. Its top
+/// AprilTag 36h11 number 0, printed on white on the ground, as a camera sees it: 3 x 3 samples a pixel. Its top
 /// is north.
 /// </summary>
 /// <remarks>The code is that of the family's own table (tag36h11.c), read by rows.</remarks>
