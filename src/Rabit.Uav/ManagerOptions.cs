@@ -96,7 +96,10 @@ internal static class ManagerOptions
 
     public static SigningOptions? SigningOf(UavOptions options) => options.Signing ?? options.Communications.Signing;
 
-    public static MissionPlan? MissionOf(UavOptions options) => options.Mission ?? options.MissionControl.Mission;
+    /// <summary>The mission as it is flown.</summary>
+    public static MissionPlan? MissionOf(UavOptions options) => options.MissionControl.InLayer(GivenMissionOf(options));
+
+    private static MissionPlan? GivenMissionOf(UavOptions options) => options.Mission ?? options.MissionControl.Mission;
 
     public static MavlinkDialect DialectOf(UavOptions options)
         => !ReferenceEquals(options.Dialect, MavlinkDialect.All) ? options.Dialect
@@ -133,10 +136,33 @@ internal static class ManagerOptions
             {
                 Lifetime = TimeSpan.FromSeconds(5),
             },
+            .. options.MissionControl.Group is not null && options.Has(UavManagers.MissionControl) ? GroupRoutes() : [],
             .. options.Communications.VehicleMessageRoutes,
         ];
         return made;
     }
+
+    // All are repeated, so that none needs to be acknowledged.
+    private static VehicleMessageRoute[] GroupRoutes() =>
+    [
+        new VehicleMessageRoute<GroupReport>(
+            new GroupReportCodec(), MessageNames.OutgoingGroupReports, MessageNames.GroupReports)
+        {
+            Class = VehicleMessageClass.State,
+            Lifetime = TimeSpan.FromSeconds(2),
+        },
+        new VehicleMessageRoute<LaneDivision>(
+            new LaneDivisionCodec(), MessageNames.OutgoingLaneDivisions, MessageNames.LaneDivisions)
+        {
+            Lifetime = TimeSpan.FromSeconds(2),
+        },
+        new VehicleMessageRoute<LaneCoverage>(
+            new LaneCoverageCodec(), MessageNames.OutgoingLaneCoverages, MessageNames.LaneCoverages)
+        {
+            Class = VehicleMessageClass.Bulk,
+            Lifetime = TimeSpan.FromSeconds(20),
+        },
+    ];
 
     /// <summary>The settings of the links by their numbers: live ones first, then logs; a URL says more.</summary>
     public static IReadOnlyDictionary<int, LinkSettings> LinkSettingsOf(UavOptions options)
@@ -202,7 +228,7 @@ internal static class ManagerOptions
     public static MissionControlOptions ForMissionControl(UavOptions options)
     {
         MissionControlOptions made = options.MissionControl.Copy();
-        made.Mission = MissionOf(options);
+        made.Mission = GivenMissionOf(options);
         made.RequiresPreflight |= ChecksBeforeFlight(options);
         made.GimbalFrame = options.Imaging.Mount.GimbalFrame;
         made.Terrain ??= options.Terrain;

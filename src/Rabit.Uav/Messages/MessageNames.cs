@@ -93,6 +93,42 @@ public static class MessageNames
     /// </summary>
     public const string OutgoingTargetReports = "outgoing target reports";
 
+    /// <summary>Message <see cref="Messages.GroupStatus"/>, posted by Mission Control of a vehicle in a group.</summary>
+    public const string Group = "group";
+
+    /// <summary>
+    /// Queue of <see cref="Envelope{T}"/> of <see cref="GroupReport"/>: of other vehicles, from Communications to
+    /// Mission Control.
+    /// </summary>
+    public const string GroupReports = "group reports";
+
+    /// <summary>
+    /// Queue of <see cref="Envelope{T}"/> of <see cref="GroupReport"/>: from Mission Control to Communications.
+    /// </summary>
+    public const string OutgoingGroupReports = "outgoing group reports";
+
+    /// <summary>
+    /// Queue of <see cref="Envelope{T}"/> of <see cref="LaneDivision"/>: of other vehicles, from Communications to
+    /// Mission Control.
+    /// </summary>
+    public const string LaneDivisions = "lane divisions";
+
+    /// <summary>
+    /// Queue of <see cref="Envelope{T}"/> of <see cref="LaneDivision"/>: from Mission Control to Communications.
+    /// </summary>
+    public const string OutgoingLaneDivisions = "outgoing lane divisions";
+
+    /// <summary>
+    /// Queue of <see cref="Envelope{T}"/> of <see cref="LaneCoverage"/>: of other vehicles, from Communications to
+    /// Mission Control.
+    /// </summary>
+    public const string LaneCoverages = "lane coverages";
+
+    /// <summary>
+    /// Queue of <see cref="Envelope{T}"/> of <see cref="LaneCoverage"/>: from Mission Control to Communications.
+    /// </summary>
+    public const string OutgoingLaneCoverages = "outgoing lane coverages";
+
     /// <summary>
     /// Queue of <see cref="CameraObservation"/>: searched pictures with their reports, from Image Processing to Sensor
     /// Fusion.

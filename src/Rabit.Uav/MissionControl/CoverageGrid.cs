@@ -58,12 +58,31 @@ internal sealed class CoverageGrid
     /// <summary>Whether a point belongs to the area and has not been seen.</summary>
     public bool IsUnseen(PlanePoint at)
     {
-        int row = (int)Math.Floor((at.North - _south) / CellMetres);
-        int column = (int)Math.Floor((at.East - _west) / CellMetres);
-        if (row < 0 || row >= _rows || column < 0 || column >= _columns)
-            return false;
-        int cell = (row * _columns) + column;
-        return _isArea[cell] && !_isSeen[cell];
+        int cell = CellAt(at);
+        return cell >= 0 && _isArea[cell] && !_isSeen[cell];
+    }
+
+    /// <summary>How many places of the area a strip has, one for each cell, and how many of them were not seen.</summary>
+    /// <param name="middle">The strip's middle line.</param>
+    /// <param name="halfWidthMetres">How far it extends to either side.</param>
+    public (int Places, int Unseen) Count(LaneSegment middle, double halfWidthMetres)
+    {
+        PlanePoint along = (1 / middle.Length) * (middle.End - middle.Start);
+        var right = new PlanePoint(-along.East, along.North);
+        (int places, int unseen) = (0, 0);
+        for (double at = CellMetres / 2; at < middle.Length; at += CellMetres)
+        {
+            for (double side = -halfWidthMetres + (CellMetres / 2); side < halfWidthMetres; side += CellMetres)
+            {
+                int cell = CellAt(middle.Start + (at * along) + (side * right));
+                if (cell < 0 || !_isArea[cell])
+                    continue;
+                places++;
+                unseen += _isSeen[cell] ? 0 : 1;
+            }
+        }
+
+        return (places, unseen);
     }
 
     /// <summary>Centres of the cells that have not been seen.</summary>
@@ -154,6 +173,14 @@ internal sealed class CoverageGrid
             _isSeen[i] = true;
             SeenCells++;
         }
+    }
+
+    // Below zero outside the grid.
+    private int CellAt(PlanePoint at)
+    {
+        int row = (int)Math.Floor((at.North - _south) / CellMetres);
+        int column = (int)Math.Floor((at.East - _west) / CellMetres);
+        return row < 0 || row >= _rows || column < 0 || column >= _columns ? -1 : (row * _columns) + column;
     }
 
     private PlanePoint CentreOf(int cell)

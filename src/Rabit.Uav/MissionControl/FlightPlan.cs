@@ -31,24 +31,21 @@ internal sealed class FlightPlan
     private readonly SearchRegion _lastResort;
 
     private FlightPlan(
-        MissionPlan mission, LocalNedFrame frame, IReadOnlyList<LaneSegment>? lanes, bool isFixedWing, bool isQuick)
+        MissionPlan mission, LocalNedFrame frame, IReadOnlyList<LaneSegment>? lanes, bool isFixedWing, bool isQuick,
+        bool isShared)
     {
         Frame = frame;
         Area = ToPlane(mission.Area, frame);
-        KeepOuts = mission.KeepOuts.IsDefault ? [] : mission.KeepOuts.Select(k => ToPlane(k, frame)).ToArray();
+        KeepOuts = KeepOutsOf(mission, frame);
         Fence = FenceOutline.Of(Area, default, mission.FenceMarginMetres);
         _airspace = new SearchRegion(
             FenceOutline.Of(Area, default, mission.FenceMarginMetres - ClearanceMetres), KeepOuts, ClearanceMetres,
             SlackMetres, SlackMetres);
         _lastResort = new SearchRegion(Fence, KeepOuts, ClearanceMetres, 0, ClearanceMetres - MinClearanceMetres);
 
-        // On a convex area plain lanes have fewer corners, at each of which a multirotor stops.
-        lanes ??= isFixedWing || (KeepOuts.Count == 0 && FenceOutline.IsNearlyConvex(Area))
-            ? LanePlanner.Plan(
-                Area, mission.LaneSpacingMetres, mission.LaneHeading?.Radians, from: default)
-            : SearchPlanner.Plan(
-                Area, KeepOuts, ClearanceMetres, mission.LaneSpacingMetres, mission.LaneHeading?.Radians,
-                from: default, isQuick)?.Legs;
+        lanes ??= isShared
+            ? PlanSharedLanes(mission, frame, isQuick)
+            : PlanLanes(mission, frame, isFixedWing, isQuick);
         Lanes = lanes ?? [];
         HeadingRadians = mission.LaneHeading?.Radians
             ?? Lanes.OrderByDescending(l => l.Length).Select(l => l.HeadingRadians).FirstOrDefault();
@@ -87,15 +84,18 @@ internal sealed class FlightPlan
     /// <param name="isFixedWing">Whether the lanes are those of a fixed wing: parallel, and all of a length.</param>
     /// <param name="isQuick">Whether the vehicle flies, and waits for the plan.</param>
     /// <param name="terrain">The ground; null where it is taken for level.</param>
+    /// <param name="isShared">
+    /// Whether the lanes are those of a group: the same, and in the same order, wherever home is.
+    /// </param>
     public static FlightPlan? Create(
         MissionPlan mission, GeodeticPosition home, out string fault, IReadOnlyList<LaneSegment>? lanes = null,
-        bool isFixedWing = false, bool isQuick = false, TerrainGrid? terrain = null)
+        bool isFixedWing = false, bool isQuick = false, TerrainGrid? terrain = null, bool isShared = false)
     {
         var frame = LocalNedFrame.IgnoringGeoid(home);
         fault = FindFault(mission, frame) ?? string.Empty;
         if (fault.Length > 0)
             return null;
-        var plan = new FlightPlan(mission, frame, lanes, isFixedWing, isQuick);
+        var plan = new FlightPlan(mission, frame, lanes, isFixedWing, isQuick, isShared);
         fault = plan.FindKeepOutFault(isFixedWing) ?? string.Empty;
         if (fault.Length > 0)
             return null;
@@ -236,8 +236,38 @@ internal sealed class FlightPlan
             : null;
     }
 
+    // On a convex area plain lanes have fewer corners, at each of which a multirotor stops.
+    private static IReadOnlyList<LaneSegment>? PlanLanes(
+        MissionPlan mission, LocalNedFrame frame, bool isFixedWing, bool isQuick)
+    {
+        PlanePolygon area = ToPlane(mission.Area, frame);
+        PlanePolygon[] keepOuts = KeepOutsOf(mission, frame);
+        return isFixedWing || (keepOuts.Length == 0 && FenceOutline.IsNearlyConvex(area))
+            ? LanePlanner.Plan(area, mission.LaneSpacingMetres, mission.LaneHeading?.Radians, from: default)
+            : SearchPlanner.Plan(
+                area, keepOuts, ClearanceMetres, mission.LaneSpacingMetres, mission.LaneHeading?.Radians,
+                from: default, isQuick)?.Legs;
+    }
+
+    // In a frame that all have: its origin is the first corner of the area.
+    private static LaneSegment[]? PlanSharedLanes(
+        MissionPlan mission, LocalNedFrame frame, bool isQuick)
+    {
+        var common = LocalNedFrame.IgnoringGeoid(mission.Area[0]);
+        return PlanLanes(mission, common, isFixedWing: false, isQuick)
+            ?.Select(l => new LaneSegment(ToOurs(l.Start), ToOurs(l.End))).ToArray();
+
+        PlanePoint ToOurs(PlanePoint p)
+            => ToPoint(frame.ToNed(common.ToGeodetic(new NedPosition(p.North, p.East, 0))));
+    }
+
+    private static PlanePolygon[] KeepOutsOf(MissionPlan mission, LocalNedFrame frame)
+        => mission.KeepOuts.IsDefault ? [] : mission.KeepOuts.Select(k => ToPlane(k, frame)).ToArray();
+
+    private static PlanePoint ToPoint(NedPosition ned) => new(ned.North, ned.East);
+
     private static PlanePolygon ToPlane(ImmutableArray<GeodeticPosition> corners, LocalNedFrame frame)
-        => new(corners.Select(c => frame.ToNed(c)).Select(n => new PlanePoint(n.North, n.East)));
+        => new(corners.Select(c => ToPoint(frame.ToNed(c))));
 
     private static string? FindFault(MissionPlan mission, LocalNedFrame frame)
     {

@@ -67,11 +67,12 @@ public sealed partial class MissionControlManager : RabitManager, IMissionOperat
         WakeUpDelay = TickPeriod;
         if (copy.Mission is null)
             return;
-        MissionPlan mission = copy.Resume?.Changes.ApplyTo(copy.Mission) ?? copy.Mission;
+        MissionPlan mission = copy.Resume?.Changes.ApplyTo(copy.Mission) ?? copy.InLayer(copy.Mission)!;
         var dispatcher = new CommandDispatcher(command => _commands.Push(command) != PushResult.Rejected, Log);
         _flight = new MissionFlight(
             mission, copy, dispatcher, Log, new OperatorActions(d => _decisions.Push(d) != PushResult.Rejected));
         _machine = new MissionMachine(_flight);
+        _group = _flight.Group is { } group ? new GroupPort(this, group) : null;
         BlockingWriter<PlanJob> planner = AttachWriter("planner", new PlanMaker(), PlanMaker.MaxWaiting);
         _flight.Changes.Planner = job => planner.Push(job) != PushResult.Rejected;
         if (copy.ProgressFile is { } path)
@@ -105,10 +106,12 @@ public sealed partial class MissionControlManager : RabitManager, IMissionOperat
         {
             _flight.IsStopRequested = IsStopRequested;
             FetchInputs(_flight);
+            _group?.Receive(_flight);
             _flight.Touchdown.Update(_flight);
             _flight.Energy.Update(_flight);
             _assessment.Update(_flight);
             _machine.Tick();
+            _group?.Update(_flight, _machine.Phase);
             PostImagingCommand(_flight, _machine);
             DelaysStop = _machine.Stop.Delays;
             bool hasStopped = _machine.Stop.Result is MissionStopResult.Held or MissionStopResult.Returning;
@@ -229,6 +232,7 @@ public sealed partial class MissionControlManager : RabitManager, IMissionOperat
         }
 
         _status.Post();
+        _group?.Post(Now);
         _lastStatus = Now;
     }
 }

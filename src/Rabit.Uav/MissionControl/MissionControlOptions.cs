@@ -102,6 +102,13 @@ public sealed class MissionControlOptions
     /// <value>The default is null: a mission is refused to a fixed wing.</value>
     public FixedWingOptions? FixedWing { get; set; }
 
+    /// <summary>
+    /// How the vehicle searches together with others that fly the same mission; in a <see cref="UavSystem"/> it also
+    /// has Communications exchange what they need for that.
+    /// </summary>
+    /// <value>The default is null: it searches alone.</value>
+    public GroupOptions? Group { get; set; }
+
     /// <summary>What is commanded when the program is stopped while Mission Control flies the vehicle.</summary>
     /// <value>The default is <see cref="OnStop.Hold"/>.</value>
     public OnStop OnStop { get; set; }
@@ -119,6 +126,10 @@ public sealed class MissionControlOptions
     /// </summary>
     /// <value>The default is null: it is not written.</value>
     public string? ProgressFile { get; set; }
+
+    /// <summary>A mission as this vehicle flies it: in a group in the layer that is its own.</summary>
+    internal MissionPlan? InLayer(MissionPlan? mission)
+        => Group is { HeightLayer: > 0 } group ? mission?.HigherBy(group.LayerMetres) : mission;
 
     /// <summary>How far above the ground the autopilot must return; set where the system is composed.</summary>
     internal double ReturnClearanceMetres { get; set; } = 10;
@@ -140,6 +151,7 @@ public sealed class MissionControlOptions
         MissionControlOptions copy = Copy();
         copy.Energy = Energy.Copy();
         copy.FixedWing = FixedWing?.Copy();
+        copy.Group = Group?.Copy();
         return copy;
     }
 
@@ -163,13 +175,19 @@ public sealed class MissionControlOptions
             yield return $"{nameof(FixedWing)}: {fault}";
         if (FixedWing is not null && Terrain is not null)
             yield return $"{nameof(Terrain)} is given, which a fixed wing ({nameof(FixedWing)}) does not follow";
+        foreach (string fault in Group?.FindFaults() ?? [])
+            yield return $"{nameof(Group)}: {fault}";
+        if (Group is not null && (FixedWing is not null || Terrain is not null || Resume is not null))
+            yield return $"{nameof(Group)} does not go with {nameof(FixedWing)}, {nameof(Terrain)} or {nameof(Resume)}";
+        if (Group is not null && Mission is null)
+            yield return $"{nameof(Group)} is there without a {nameof(Mission)}";
         if (OnStop is not (OnStop.Hold or OnStop.Return))
             yield return $"{nameof(OnStop)} is {OnStop:D}, which is none of its values";
         if (ProgressFile is not null && string.IsNullOrWhiteSpace(ProgressFile))
             yield return $"{nameof(ProgressFile)} is empty";
         if (Resume is not null && Mission is null)
             yield return $"{nameof(Resume)} is there without a {nameof(Mission)}";
-        foreach (string fault in Mission is null ? [] : MissionPlanRules.FindFaults(Mission))
+        foreach (string fault in Mission is null ? [] : MissionPlanRules.FindFaults(InLayer(Mission)!))
             yield return $"{nameof(Mission)}: {fault}";
         foreach (string fault in Resume is null || Mission is not { Area.IsDefault: false }
             ? [] : MissionPlanRules.FindFaults(Resume.Changes.ApplyTo(Mission)).Take(1))

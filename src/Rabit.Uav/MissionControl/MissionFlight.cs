@@ -42,6 +42,9 @@ internal sealed class MissionFlight(
     /// <summary>What is left in the battery, and what the way home takes.</summary>
     public EnergyModel Energy { get; } = new(options.Energy, mission);
 
+    /// <summary>The group that the vehicle searches with; null where it searches alone.</summary>
+    public MissionGroup? Group { get; } = options.Group is { } group ? new MissionGroup(group, log) : null;
+
     /// <summary>What the operator commanded.</summary>
     public OperatorRequests Operator { get; } = new(log);
 
@@ -247,7 +250,7 @@ internal sealed class MissionFlight(
         {
             Plan = FlightPlan.Create(
                 Mission, home, out string fault, isFixedWing: IsFixedWing, isQuick: !Options.PlansShortestWay,
-                terrain: Options.Terrain);
+                terrain: Options.Terrain, isShared: Group is not null);
             Route = Plan is null ? null : new SearchRoute(Plan, Mission.LaneSpacingMetres);
             return fault;
         }
@@ -286,7 +289,7 @@ internal sealed class MissionFlight(
             return wrong;
         FlightPlan? plan = FlightPlan.Create(
             mission, Plan.Frame.Origin, out string fault, isFixedWing: IsFixedWing,
-            isQuick: IsFlying || !Options.PlansShortestWay, terrain: Options.Terrain);
+            isQuick: IsFlying || !Options.PlansShortestWay, terrain: Options.Terrain, isShared: Group is not null);
         return plan is null ? fault : Replan(mission, plan, new SearchRoute(plan, mission.LaneSpacingMetres));
     }
 

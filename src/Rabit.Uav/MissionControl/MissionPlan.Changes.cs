@@ -37,6 +37,10 @@ public sealed partial class MissionPlan
         ImmutableArray<GeodeticPosition> area, ImmutableArray<ImmutableArray<GeodeticPosition>> keepOuts)
         => new(this) { Area = area, KeepOuts = keepOuts.IsDefault ? [] : keepOuts };
 
+    /// <summary>The same, flown higher, also where targets are revisited.</summary>
+    internal MissionPlan HigherBy(double metres)
+        => new(this) { HeightMetres = HeightMetres + metres, Revisit = Revisit.With(heightMetres: null) };
+
     /// <summary>One of its values, as a number; <see cref="With"/> sets it.</summary>
     internal double Get(MissionParameter parameter) => parameter switch
     {

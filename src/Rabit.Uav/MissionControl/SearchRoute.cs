@@ -67,6 +67,18 @@ internal sealed class SearchRoute
     /// <summary>The leg after that; null where there is none.</summary>
     public LaneSegment? Following => Flown + 1 < _legs.Count ? _legs[Flown + 1] : null;
 
+    /// <summary>What is left to fly, metres.</summary>
+    public double MetresLeft
+    {
+        get
+        {
+            double sum = -FlownMetresOfLeg;
+            for (int i = Flown; i < _legs.Count; i++)
+                sum += _legs[i].Length;
+            return Math.Max(0, sum);
+        }
+    }
+
     /// <summary>How near the legs that remain come to a place; infinite where there are none.</summary>
     /// <param name="place">The place.</param>
     /// <param name="withCurrent">Whether the leg to fly now is one of them.</param>
@@ -143,6 +155,19 @@ internal sealed class SearchRoute
         _shownLegs = default;
     }
 
+    /// <summary>What is left to fly are these legs, but for what was seen next to them already.</summary>
+    /// <param name="legs">The legs.</param>
+    /// <param name="overlapMetres">How much of what was seen is flown over again.</param>
+    /// <param name="from">Where the vehicle is.</param>
+    public void SetRest(IReadOnlyList<LaneSegment> legs, double overlapMetres, PlanePoint from)
+    {
+        _legs.RemoveRange(Flown, _legs.Count - Flown);
+        _legs.AddRange(legs);
+        (FlownMetresOfLeg, GapPasses) = (0, 0);
+        LeaveOutSeen(overlapMetres);
+        Reorder(from);
+    }
+
     /// <summary>Leaves out the parts of the legs next to which everything was seen already.</summary>
     /// <param name="overlapMetres">How much of what was seen is flown over again.</param>
     public void LeaveOutSeen(double overlapMetres)
@@ -201,11 +226,13 @@ internal sealed class SearchRoute
     }
 
     /// <summary>Adds legs over what has not been seen.</summary>
+    /// <param name="from">Where the vehicle is.</param>
+    /// <param name="isOurs">Whether a place is ours to see; null where all are.</param>
     /// <returns>How many.</returns>
-    public int AddGapLegs(PlanePoint from)
+    public int AddGapLegs(PlanePoint from, Func<PlanePoint, bool>? isOurs = null)
     {
         List<LaneSegment> legs = GapPlanner.Plan(
-            Coverage.Unseen().Where(c => !IsSkipped(c)),
+            Coverage.Unseen().Where(c => !IsSkipped(c) && isOurs?.Invoke(c) != false),
             Coverage.CellMetres, _spacingMetres, _plan.HeadingRadians, from);
         _legs.AddRange(legs);
         _shownLegs = default;

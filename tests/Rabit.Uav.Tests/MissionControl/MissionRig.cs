@@ -20,8 +20,11 @@ internal sealed class MissionRig : IDisposable
     private readonly RabitReactor _reactor;
     private readonly MessageSubscriber<MissionStatus> _status;
 
-    public MissionRig(MissionPlan? mission, Action<MissionControlOptions>? change = null, long seed = 1)
+    public MissionRig(
+        MissionPlan? mission, Action<MissionControlOptions>? change = null, long seed = 1,
+        GeodeticPosition? home = null, Action<RabitReactor>? beforeStart = null)
     {
+        Vehicle = new StandInVehicle(home ?? Home);
         var options = new MissionControlOptions { Mission = mission };
         change?.Invoke(options);
         Manager = new MissionControlManager(options);
@@ -37,6 +40,7 @@ internal sealed class MissionRig : IDisposable
             Manager, Vehicle
         };
         _status = _reactor.Workspace.Subscribe<MissionStatus>(MessageNames.Mission);
+        beforeStart?.Invoke(_reactor);
         _reactor.Start();
     }
 
@@ -57,7 +61,7 @@ internal sealed class MissionRig : IDisposable
 
     public MissionControlManager Manager { get; }
 
-    public StandInVehicle Vehicle { get; } = new(Home);
+    public StandInVehicle Vehicle { get; }
 
     public List<RabitLogEntry> Entries { get; } = [];
 

@@ -53,7 +53,9 @@ internal sealed class MissionChanges(MissionFlight flight)
             return null;
         }
 
-        job = new PlanJob(With(request), plan.Frame.Origin, flight.IsFixedWing, flight.Options.Terrain);
+        job = new PlanJob(
+            With(request), plan.Frame.Origin, flight.IsFixedWing, flight.Options.Terrain,
+            isShared: flight.Group is not null);
         return Planner(job) ? null : "the planner takes nothing";
     }
 

@@ -9,7 +9,7 @@ namespace Rabit.Uav.MissionControl;
 /// </summary>
 [HandedOver]
 internal sealed class PlanJob(
-    MissionPlan mission, GeodeticPosition home, bool isFixedWing, TerrainGrid? terrain = null)
+    MissionPlan mission, GeodeticPosition home, bool isFixedWing, TerrainGrid? terrain = null, bool isShared = false)
 {
     private volatile bool _isDone;
 
@@ -33,7 +33,8 @@ internal sealed class PlanJob(
         try
         {
             Plan = FlightPlan.Create(
-                Mission, home, out string fault, isFixedWing: isFixedWing, isQuick: true, terrain: terrain);
+                Mission, home, out string fault, isFixedWing: isFixedWing, isQuick: true, terrain: terrain,
+                isShared: isShared);
             Fault = fault;
             Route = Plan is null ? null : new SearchRoute(Plan, Mission.LaneSpacingMetres);
         }

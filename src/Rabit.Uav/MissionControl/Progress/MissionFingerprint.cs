@@ -17,10 +17,7 @@ internal static class MissionFingerprint
     {
         var text = new StringBuilder();
         text.Append(plan.Name).Append('\n');
-        foreach (GeodeticPosition corner in plan.Area)
-            Add(text, corner.Latitude.Radians, corner.Longitude.Radians);
-        foreach (GeodeticPosition corner in plan.KeepOuts.IsDefault ? [] : plan.KeepOuts.SelectMany(k => k))
-            Add(text, corner.Latitude.Radians, corner.Longitude.Radians, 1);
+        AddGround(text, plan);
         Add(
             text, plan.HeightMetres, plan.SpeedMetresPerSecond, plan.LaneSpacingMetres,
             plan.LaneHeading?.Radians ?? double.NaN, plan.FenceMarginMetres, plan.CameraPitch.Radians,
@@ -30,6 +27,25 @@ internal static class MissionFingerprint
         foreach (TargetClassName target in plan.Targets.IsDefault ? [] : plan.Targets)
             text.Append(target).Append('\n');
         return Sha256Hex.Of(text.ToString());
+    }
+
+    /// <summary>
+    /// Identifies the lanes alone, for vehicles that share them: area, keep-outs, spacing and direction.
+    /// </summary>
+    public static uint OfLanes(MissionPlan plan)
+    {
+        var text = new StringBuilder();
+        AddGround(text, plan);
+        Add(text, plan.LaneSpacingMetres, plan.LaneHeading?.Radians ?? double.NaN);
+        return Convert.ToUInt32(Sha256Hex.Of(text.ToString()).Remove(8), 16);
+    }
+
+    private static void AddGround(StringBuilder text, MissionPlan plan)
+    {
+        foreach (GeodeticPosition corner in plan.Area)
+            Add(text, corner.Latitude.Radians, corner.Longitude.Radians);
+        foreach (GeodeticPosition corner in plan.KeepOuts.IsDefault ? [] : plan.KeepOuts.SelectMany(k => k))
+            Add(text, corner.Latitude.Radians, corner.Longitude.Radians, 1);
     }
 
     // As bits: runtimes print the same number differently.

@@ -22,13 +22,14 @@ internal sealed class SearchingState : MissionState
     private PlanePoint? _around;
     private double _heading;
     private bool _isOnLane;
+    private (PlanePoint At, double Heading)? _waiting;
 
     public SearchingState()
         : base(MissionPhase.Searching) => _follower = _path;
 
     public override void Enter(MissionFlight flight, MissionEvent by, string reason)
     {
-        (_isOnLane, _around) = (false, null);
+        (_isOnLane, _around, _waiting) = (false, null, null);
         _follower = flight.IsFixedWing ? _wing : _path;
         if (!flight.IsFixedWing)
             flight.Route!.Reorder(flight.Position);
@@ -52,6 +53,8 @@ internal sealed class SearchingState : MissionState
 
         if (!ReferenceEquals(_route, flight.Route))
             (_route, _isOnLane) = (flight.Route, false);
+        if (!_isOnLane)
+            flight.Group?.TakeShare(flight);
         if (flight.IsFixedWing && flight.Commands.Failures > 0)
             return new MissionStep(MissionEvent.Hold, "the leg was not accepted: " + flight.Commands.LastFailure);
         if (flight.Commands.Failures >= MaxFailures)
@@ -63,7 +66,17 @@ internal sealed class SearchingState : MissionState
         if (flight.Route!.Current is { } lane)
             return Fly(flight, lane);
         MissionStep step = Finish(flight);
+        if (step.What == MissionEvent.Searched && flight.Group?.FindWait(flight) is { } wait)
+            return Wait(flight, wait);
         return step.What == MissionEvent.Searched && IsKeepOutOnTheWayHome(flight) ? MissionStep.Stay : step;
+    }
+
+    private MissionStep Wait(MissionFlight flight, string text)
+    {
+        flight.Text = text;
+        _waiting ??= (flight.Position, flight.Vehicle.Attitude.Yaw.Radians);
+        flight.SetGoalPosition(_waiting.Value.At, flight.Mission.HeightMetres, _waiting.Value.Heading);
+        return MissionStep.Stay;
     }
 
     // The autopilot's return is straight.
@@ -96,7 +109,7 @@ internal sealed class SearchingState : MissionState
         SearchRoute route = flight.Route!;
         if (!_isOnLane)
             _follower.Begin(flight, lane, flight.Mission.HeightMetres);
-        _isOnLane = true;
+        (_isOnLane, _waiting) = (true, null);
         flight.Text =
             $"searching: lane {MissionNumbers.Of(route.Flown + 1)} of {MissionNumbers.Of(route.Count)}, {Seen(route)}";
         bool isFlown = _follower.Tick(flight, out bool isLate);
@@ -126,7 +139,7 @@ internal sealed class SearchingState : MissionState
             return new MissionStep(MissionEvent.Searched, "the lanes are flown; there was no camera");
         if (route.GapPasses >= flight.Options.MaxGapPasses)
             return new MissionStep(MissionEvent.Searched, seen + ", the gaps were flown over");
-        int legs = route.AddGapLegs(flight.Position);
+        int legs = route.AddGapLegs(flight.Position, flight.Group is { } group ? group.IsOurs : null);
         if (legs == 0)
             return new MissionStep(MissionEvent.Searched, seen + ", the gaps are too small to fly over");
         flight.Log($"{seen}: {MissionNumbers.Of(legs)} more legs over gaps");

@@ -91,6 +91,8 @@ internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.Waiti
         if (flight.Options.RequiresPreflight && flight.Preflight.FindRefusal() is { } refusal)
             return refusal;
 
+        if (flight.Group?.FindConflict(flight) is { } conflict)
+            return conflict;
         if (FindShortage(flight) is { } shortage)
             return shortage;
 

@@ -1,0 +1,34 @@
+using System.Collections.Immutable;
+
+namespace Rabit.Uav.Messages;
+
+/// <summary>
+/// The group that searches an area together, as one vehicle of it knows it. Posted by Mission Control once a second
+/// where the vehicle is in a group. A plain value; the members are immutable, and copies share them.
+/// </summary>
+public struct GroupStatus
+{
+    private ImmutableArray<GroupMember> _members;
+
+    /// <summary>The others, in the order of their system ids; also those that are received no more.</summary>
+    public ImmutableArray<GroupMember> Members
+    {
+        readonly get => _members.IsDefault ? [] : _members;
+        set => _members = value;
+    }
+
+    /// <summary>MAVLink system id of the vehicle that divided the lanes; 0 for none yet.</summary>
+    public byte DivisionAuthor { get; set; }
+
+    /// <summary>Our own share of the lanes.</summary>
+    public LaneShare OwnShare { get; set; }
+
+    /// <summary>How many lanes the area has.</summary>
+    public int Lanes { get; set; }
+
+    /// <summary>
+    /// Reports, divisions and coverages of others that were refused: of our own system id, of other lanes, or of an
+    /// author that is not the one to divide.
+    /// </summary>
+    public long Refused { get; set; }
+}

@@ -1,0 +1,242 @@
+using System;
+using System.Collections.Generic;
+using System.Collections.Immutable;
+using System.Linq;
+using Rabit.Geodesy;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.MissionControl;
+
+/// <summary>
+/// The part of a vehicle in a group that searches one area: reports, flies the lanes that are its share, and shares
+/// what was seen. Works without a leader, and without the others: alone it has all lanes. One thread.
+/// </summary>
+internal sealed class MissionGroup(GroupOptions options, Action<string> log)
+{
+    /// <summary>Landing places are at least so far apart, metres.</summary>
+    public const double MinLandingDistanceMetres = 10;
+
+    // A vehicle that is this high above its landing place flies.
+    private const double FlyingMetres = 5;
+
+    private const double UnlimitedSeconds = ushort.MaxValue;
+
+    private readonly GroupMembers _members = new(options.SilentAfter);
+    private readonly GroupDivision _division = new();
+    private readonly CoverageExchange _coverage = new();
+    private readonly GroupLog _log = new(log);
+    private FlightPlan? _plan;
+    private MissionPlan? _keyed;
+    private uint _key;
+    private int _taken;
+    private LaneShare _share;
+    private TimeSpan? _doneSince;
+    private GroupReport _own;
+
+    /// <summary>Our MAVLink system id; 0 while it is not known: nothing is sent or divided then.</summary>
+    public byte SystemId { get; set; }
+
+    /// <summary>Where what we send goes.</summary>
+    public IGroupSender? Sender { get; set; }
+
+    /// <summary>Null before there is a plan.</summary>
+    public SharedLanes? Lanes { get; private set; }
+
+    public GroupStatus Status(TimeSpan now) => new()
+    {
+        Members = _members.All.Select(m => new GroupMember
+        {
+            SystemId = m.SystemId,
+            State = m.Report.State,
+            IsPresent = _members.IsPresent(m.SystemId, now),
+            Time = m.Time,
+            Position = m.Report.Position,
+            Lanes = _division.ShareOf(m.SystemId).Count,
+            MetresLeft = m.Report.MetresLeft,
+        }).ToImmutableArray(),
+        DivisionAuthor = _division.Author,
+        OwnShare = _division.ShareOf(SystemId),
+        Lanes = Lanes?.Lanes.Count ?? 0,
+        Refused = _members.Refused + _division.Refused + _coverage.Refused,
+    };
+
+    public void Receive(MissionFlight flight, in Envelope<GroupReport> envelope)
+        => _members.Receive(envelope, SystemId, KeyOf(flight.Mission), flight.Now);
+
+    public void Receive(MissionFlight flight, in Envelope<LaneDivision> envelope)
+    {
+        NotePlan(flight);
+        if (Lanes is not { } lanes || envelope.Content.LanesKey != lanes.Key)
+            return;
+        byte author = _members.Present(flight.Now).Select(m => m.SystemId).Append(SystemId).Min();
+        _division.Receive(envelope.SourceSystemId, envelope.Content, SystemId, author, lanes.Lanes.Count);
+    }
+
+    public void Receive(MissionFlight flight, in Envelope<LaneCoverage> envelope)
+    {
+        NotePlan(flight);
+        if (Lanes is { } lanes && flight.Route is { } route)
+            _coverage.Receive(envelope.Content, lanes, route.Coverage);
+    }
+
+    /// <summary>In each tick, after all that was received.</summary>
+    public void Update(MissionFlight flight, MissionPhase phase)
+    {
+        if (SystemId == 0 || flight.Vehicle.PositionTime is null)
+            return;
+        NotePlan(flight);
+        _own = ReportOf(flight, phase);
+        (byte SystemId, GroupReport Report)[] present = _members.Present(flight.Now).ToArray();
+        if (Lanes is { } lanes)
+        {
+            if (_division.Update(
+                _own, SystemId, present, MetresLeftOf, m => Divide(flight, lanes, m), flight.Now))
+                Sender?.Send(DivisionOf(lanes));
+            if (phase != MissionPhase.Searching)
+                TakeShare(flight);
+            if (_coverage.Update(lanes, flight.Route!.Coverage, flight.Now, present.Length > 0) is { } seen)
+                Sender?.Send(seen);
+        }
+
+        _log.Update(present.Select(m => m.SystemId), _members.All.Select(m => m.SystemId));
+        Sender?.Report(_own, flight.Now);
+    }
+
+    /// <summary>What is left to fly becomes our share, where that has changed; not while a lane is flown.</summary>
+    public void TakeShare(MissionFlight flight)
+    {
+        if (Lanes is not { } lanes || _taken == _division.Changes || flight.Route is not { } route)
+            return;
+        _taken = _division.Changes;
+        LaneShare share = _division.ShareOf(SystemId);
+        if (share.SystemId == 0)
+            return;
+        (_share, _doneSince) = (share, null);
+        route.SetRest(lanes.Of(share), flight.OverlapMetres, flight.Position);
+        flight.Log(
+            $"lanes {MissionNumbers.Of(share.First + 1)} to {MissionNumbers.Of(share.First + share.Count)} of "
+                + $"{MissionNumbers.Of(lanes.Lanes.Count)} are ours: vehicle {MissionNumbers.Of(_division.Author)} "
+                + $"divided them among {MissionNumbers.Of(_division.Shares.Length)}");
+    }
+
+    /// <summary>Whether a place is ours to see.</summary>
+    public bool IsOurs(PlanePoint place)
+        => _share.SystemId == 0 || Lanes?.IsBeside(_share, place, marginMetres: 1) != false;
+
+    /// <summary>Our lanes are flown: whether we wait for lanes of others; null where we do not.</summary>
+    public string? FindWait(MissionFlight flight)
+    {
+        _doneSince ??= flight.Now;
+        int busy = _members.Present(flight.Now)
+            .Count(m => m.Report.State == GroupMemberState.Available && m.Report.MetresLeft > 0);
+        return busy == 0 || flight.Now - _doneSince.Value > options.MaxWait
+            ? null
+            : $"our lanes are flown; {MissionNumbers.Of(busy)} other vehicles are still searching";
+    }
+
+    /// <summary>What of the others is in the way of a take-off; null where nothing is.</summary>
+    public string? FindConflict(MissionFlight flight)
+    {
+        if (SystemId == 0)
+            return "our system id is not known yet";
+        foreach ((byte id, GroupReport report) in _members.Present(flight.Now))
+        {
+            NedPosition off = LocalNedFrame.IgnoringGeoid(flight.Vehicle.Position).ToNed(report.LandingPlace);
+            double apart = new PlanePoint(off.North, off.East).Length;
+            if (apart < MinLandingDistanceMetres)
+            {
+                return $"vehicle {MissionNumbers.Of(id)} lands {MissionNumbers.Of(apart)} m from here; at least "
+                    + $"{MissionNumbers.Of(MinLandingDistanceMetres)} m are needed";
+            }
+
+            double height = Math.Abs(report.SearchAltitudeAmslMetres - _own.SearchAltitudeAmslMetres);
+            if (height < GroupOptions.SeparationMetres && GoesFirst(id, report))
+            {
+                return $"vehicle {MissionNumbers.Of(id)} searches {MissionNumbers.Of(height)} m above or below our "
+                    + $"height; at least {MissionNumbers.Of(GroupOptions.SeparationMetres)} m are needed: "
+                    + $"each needs a {nameof(GroupOptions.HeightLayer)} of its own";
+            }
+        }
+
+        return null;
+    }
+
+    private bool GoesFirst(byte id, in GroupReport report) => report.State switch
+    {
+        GroupMemberState.Available => true,
+        GroupMemberState.Waiting => id < SystemId,
+        _ => report.Position.AltitudeAmslMetres - report.LandingPlace.AltitudeAmslMetres > FlyingMetres,
+    };
+
+    // Another plan is another area: the operator has changed it.
+    private void NotePlan(MissionFlight flight)
+    {
+        if (ReferenceEquals(flight.Plan, _plan))
+            return;
+        uint before = _key;
+        bool isFirst = _plan is null;
+        _plan = flight.Plan;
+        Lanes = new SharedLanes(KeyOf(flight.Mission), _plan!.Lanes, flight.Mission.LaneSpacingMetres);
+        _division.Clear();
+        _coverage.Clear();
+        (_share, _doneSince) = (default, null);
+        if (!isFirst && _key != before)
+            _members.Clear();
+    }
+
+    private uint KeyOf(MissionPlan mission)
+    {
+        if (!ReferenceEquals(mission, _keyed))
+            (_keyed, _key) = (mission, MissionFingerprint.OfLanes(mission));
+        return _key;
+    }
+
+    private double MetresLeftOf(byte systemId)
+        => systemId == SystemId ? _own.MetresLeft : _members.Find(systemId)?.MetresLeft ?? 0;
+
+    private LaneDivision DivisionOf(SharedLanes lanes) => new()
+    {
+        LanesKey = lanes.Key,
+        Number = _division.Number,
+        Shares = _division.Shares,
+    };
+
+    private GroupReport ReportOf(MissionFlight flight, MissionPhase phase)
+    {
+        GeodeticPosition landing = flight.Plan?.Frame.Origin ?? flight.Vehicle.Position;
+        EnergyStatus energy = flight.Energy.Status;
+        return new GroupReport
+        {
+            LanesKey = KeyOf(flight.Mission),
+            State = StateOf(phase),
+            Position = flight.Vehicle.Position,
+            LandingPlace = landing,
+            SearchAltitudeAmslMetres = landing.AltitudeAmslMetres + flight.Mission.HeightMetres,
+            SpeedMetresPerSecond = flight.Mission.SpeedMetresPerSecond,
+            SearchTime = energy.IsKnown ? energy.TimeToReturn : TimeSpan.FromSeconds(UnlimitedSeconds),
+            MetresLeft = _doneSince is null ? flight.Route?.MetresLeft ?? 0 : 0,
+            DivisionAuthor = _division.Author,
+            DivisionNumber = _division.Number,
+        };
+    }
+
+    private static GroupMemberState StateOf(MissionPhase phase) => phase switch
+    {
+        MissionPhase.WaitingForVehicle or MissionPhase.Holding => GroupMemberState.Waiting,
+        MissionPhase.Arming or MissionPhase.TakingOff or MissionPhase.InTransit or MissionPhase.Searching
+            or MissionPhase.Revisiting => GroupMemberState.Available,
+        _ => GroupMemberState.Leaving,
+    };
+
+    private static ImmutableArray<LaneShare> Divide(
+        MissionFlight flight, SharedLanes lanes, IReadOnlyList<(byte SystemId, GroupReport Report)> members)
+        => LaneDivider.Divide(lanes.Lanes, lanes.MetresLeft, members.Select(m => MemberOf(flight, m)).ToArray());
+
+    private static LaneDivider.Member MemberOf(MissionFlight flight, (byte SystemId, GroupReport Report) member)
+    {
+        NedPosition at = flight.Plan!.Frame.ToNed(member.Report.Position);
+        return new LaneDivider.Member(
+            member.SystemId, new PlanePoint(at.North, at.East), member.Report.SpeedMetresPerSecond,
+            member.Report.SearchTime.TotalSeconds);
+    }
+}

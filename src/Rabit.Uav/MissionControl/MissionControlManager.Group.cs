@@ -1,0 +1,79 @@
+using System;
+using Rabit.Core;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.MissionControl;
+
+// The group that the vehicle searches with: its queues and messages.
+public sealed partial class MissionControlManager
+{
+    private readonly GroupPort? _group;
+
+    /// <summary>The ends of a vehicle in a group. The thread of the manager.</summary>
+    private sealed class GroupPort : IGroupSender
+    {
+        private static readonly TimeSpan ReportPeriod = TimeSpan.FromSeconds(1);
+
+        private readonly MessageSubscriber<OwnAddress> _ownAddress;
+        private readonly QueueReceiver<Envelope<GroupReport>> _reports;
+        private readonly QueueReceiver<Envelope<LaneDivision>> _divisions;
+        private readonly QueueReceiver<Envelope<LaneCoverage>> _coverages;
+        private readonly QueueSender<Envelope<GroupReport>> _outgoingReports;
+        private readonly QueueSender<Envelope<LaneDivision>> _outgoingDivisions;
+        private readonly QueueSender<Envelope<LaneCoverage>> _outgoingCoverages;
+        private readonly MessagePublisher<GroupStatus> _status;
+        private readonly MissionGroup _group;
+        private TimeSpan? _reported;
+
+        public GroupPort(MissionControlManager manager, MissionGroup group)
+        {
+            _ownAddress = manager.Subscribe<OwnAddress>(MessageNames.OwnAddress);
+            _reports = manager.Receive<Envelope<GroupReport>>(
+                MessageNames.GroupReports, whenFull: QueueFullMode.DropOldest, wakeOnPush: false);
+            _divisions = manager.Receive<Envelope<LaneDivision>>(
+                MessageNames.LaneDivisions, whenFull: QueueFullMode.DropOldest, wakeOnPush: false);
+            _coverages = manager.Receive<Envelope<LaneCoverage>>(
+                MessageNames.LaneCoverages, whenFull: QueueFullMode.DropOldest, wakeOnPush: false);
+            _outgoingReports = manager.Send<Envelope<GroupReport>>(MessageNames.OutgoingGroupReports);
+            _outgoingDivisions = manager.Send<Envelope<LaneDivision>>(MessageNames.OutgoingLaneDivisions);
+            _outgoingCoverages = manager.Send<Envelope<LaneCoverage>>(MessageNames.OutgoingLaneCoverages);
+            _status = manager.Publish<GroupStatus>(MessageNames.Group);
+            (_group, group.Sender) = (group, this);
+        }
+
+        public void Receive(MissionFlight flight)
+        {
+            _ownAddress.Fetch();
+            _group.SystemId = _ownAddress.Value.SystemId;
+            while (_reports.TryPop(out Envelope<GroupReport> report))
+                _group.Receive(flight, report);
+            while (_divisions.TryPop(out Envelope<LaneDivision> division))
+                _group.Receive(flight, division);
+            while (_coverages.TryPop(out Envelope<LaneCoverage> coverage))
+                _group.Receive(flight, coverage);
+        }
+
+        public void Update(MissionFlight flight, MissionPhase phase) => _group.Update(flight, phase);
+
+        public void Post(TimeSpan now)
+        {
+            _status.Value = _group.Status(now);
+            _status.Post();
+        }
+
+        // What does not fit into a queue is counted by it, and sent again soon.
+        public void Report(in GroupReport report, TimeSpan now)
+        {
+            if (now - _reported < ReportPeriod)
+                return;
+            _reported = now;
+            _ = _outgoingReports.Push(new Envelope<GroupReport> { Content = report });
+        }
+
+        public void Send(in LaneDivision division)
+            => _ = _outgoingDivisions.Push(new Envelope<LaneDivision> { Content = division });
+
+        public void Send(in LaneCoverage coverage)
+            => _ = _outgoingCoverages.Push(new Envelope<LaneCoverage> { Content = coverage });
+    }
+}

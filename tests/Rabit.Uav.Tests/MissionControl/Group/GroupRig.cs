@@ -1,0 +1,175 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Core;
+using Rabit.Geodesy;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+
+namespace Rabit.Uav.Tests.MissionControl.Group;
+
+/// <summary>
+/// Several Mission Controls with stand-in vehicles in lock step, and a radio between them that loses what the test says.
+/// Homes are in a row to the east, 20 m apart; the system ids are 1, 2 and so on.
+/// </summary>
+internal sealed class GroupRig : IDisposable
+{
+    private const double Step = 0.1;
+
+    private readonly List<RadioEnd> _ends = [];
+    private readonly Random _random;
+    private int _switchedOn;
+
+    public GroupRig(
+        int vehicles, MissionPlan? mission = null, int seed = 1, Action<int, MissionControlOptions>? change = null)
+    {
+        Seed = seed;
+        _random = new Random(seed);
+        _switchedOn = vehicles;
+        var frame = LocalNedFrame.IgnoringGeoid(MissionRig.Home);
+        for (int i = 0; i < vehicles; i++)
+        {
+            int number = i;
+            var end = new RadioEnd((byte)(i + 1));
+            _ends.Add(end);
+            Rigs.Add(new MissionRig(
+                mission ?? MissionRig.Mission(),
+                options =>
+                {
+                    options.Group = new GroupOptions { HeightLayer = number };
+                    change?.Invoke(number, options);
+                },
+                seed + i,
+                frame.ToGeodetic(new NedPosition(0, 20 * i, 0)),
+                end.Join));
+        }
+    }
+
+    public int Seed { get; }
+
+    public List<MissionRig> Rigs { get; } = [];
+
+    /// <summary>The fraction of the messages that is lost.</summary>
+    public double Loss { get; set; }
+
+    /// <summary>Whether one vehicle receives another, by their numbers from 0.</summary>
+    public Func<int, int, bool> Reaches { get; set; } = (_, _) => true;
+
+    /// <summary>How many vehicles are there from the beginning; the others do not run before they are switched on.</summary>
+    public int SwitchedOn
+    {
+        get => _switchedOn;
+        set => _switchedOn = value;
+    }
+
+    /// <summary>Vehicles that do not run any more, by their numbers from 0.</summary>
+    public HashSet<int> Lost { get; } = [];
+
+    public double Seconds { get; private set; }
+
+    public string Story => $"seed {Seed}" + Environment.NewLine + string.Join(
+        Environment.NewLine,
+        Rigs.SelectMany((r, i) => r.Decisions.Select(d => $"vehicle {i + 1}: {d}")));
+
+    public LaneShare ShareOf(int number) => _ends[number].Status.OwnShare;
+
+    public GroupStatus StatusOf(int number) => _ends[number].Status;
+
+    public void Run(double seconds) => RunUntil(() => false, seconds);
+
+    /// <returns>Whether it came so.</returns>
+    public bool RunUntil(Func<bool> condition, double maxSeconds)
+    {
+        for (double end = Seconds + maxSeconds; Seconds < end; Seconds += Step)
+        {
+            if (condition())
+                return true;
+            foreach (int i in Running())
+                Rigs[i].Run(Step);
+            foreach (int from in Running())
+                _ends[from].Deliver(Running().Where(to => to != from && Reaches(from, to)).Select(to => _ends[to]), IsLost);
+        }
+
+        return condition();
+    }
+
+    public bool RunToEnd(double maxSeconds = 1500)
+        => RunUntil(() => Running().All(i => Rigs[i].Status.Phase is MissionPhase.Done or MissionPhase.Failed), maxSeconds);
+
+    public void Dispose()
+    {
+        foreach (MissionRig rig in Rigs)
+            rig.Dispose();
+    }
+
+    private bool IsLost() => _random.NextDouble() < Loss;
+
+    private IEnumerable<int> Running() => Enumerable.Range(0, _switchedOn).Where(i => !Lost.Contains(i));
+
+    private sealed class RadioEnd(byte systemId)
+    {
+        private RabitReactor _reactor = null!;
+        private MessageSubscriber<GroupStatus> _status = null!;
+        private QueueReceiver<Envelope<GroupReport>> _reports = null!;
+        private QueueReceiver<Envelope<LaneDivision>> _divisions = null!;
+        private QueueReceiver<Envelope<LaneCoverage>> _coverages = null!;
+        private QueueSender<Envelope<GroupReport>> _toReports = null!;
+        private QueueSender<Envelope<LaneDivision>> _toDivisions = null!;
+        private QueueSender<Envelope<LaneCoverage>> _toCoverages = null!;
+        private MessagePublisher<OwnAddress> _address = null!;
+        private bool _hasAddress;
+
+        public GroupStatus Status
+        {
+            get
+            {
+                _status.Fetch();
+                return _status.Value;
+            }
+        }
+
+        public void Join(RabitReactor reactor)
+        {
+            _reactor = reactor;
+            RabitWorkspace workspace = reactor.Workspace;
+            _status = workspace.Subscribe<GroupStatus>(MessageNames.Group);
+            _reports = workspace.Receive<Envelope<GroupReport>>(MessageNames.OutgoingGroupReports);
+            _divisions = workspace.Receive<Envelope<LaneDivision>>(MessageNames.OutgoingLaneDivisions);
+            _coverages = workspace.Receive<Envelope<LaneCoverage>>(MessageNames.OutgoingLaneCoverages);
+            _toReports = workspace.Send<Envelope<GroupReport>>(MessageNames.GroupReports);
+            _toDivisions = workspace.Send<Envelope<LaneDivision>>(MessageNames.LaneDivisions);
+            _toCoverages = workspace.Send<Envelope<LaneCoverage>>(MessageNames.LaneCoverages);
+            _address = workspace.Publish<OwnAddress>(MessageNames.OwnAddress);
+        }
+
+        public void Deliver(IEnumerable<RadioEnd> others, Func<bool> isLost)
+        {
+            if (!_hasAddress)
+            {
+                _address.Value = new OwnAddress { SystemId = systemId, ComponentId = 191 };
+                _address.Post();
+                _hasAddress = true;
+            }
+
+            RadioEnd[] to = others.ToArray();
+            while (_reports.TryPop(out Envelope<GroupReport> report))
+                Send(report, to, isLost, end => end._toReports);
+            while (_divisions.TryPop(out Envelope<LaneDivision> division))
+                Send(division, to, isLost, end => end._toDivisions);
+            while (_coverages.TryPop(out Envelope<LaneCoverage> coverage))
+                Send(coverage, to, isLost, end => end._toCoverages);
+        }
+
+        private void Send<T>(
+            Envelope<T> message, RadioEnd[] to, Func<bool> isLost, Func<RadioEnd, QueueSender<Envelope<T>>> queueOf)
+        {
+            message.SourceSystemId = systemId;
+            foreach (RadioEnd end in to)
+            {
+                message.SentTime = end._reactor.Now;
+                if (!isLost())
+                    Xunit.Assert.NotEqual(PushResult.Rejected, queueOf(end).Push(message));
+            }
+        }
+    }
+}

@@ -1,0 +1,132 @@
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+using Xunit;
+
+namespace Rabit.Uav.Tests.MissionControl.Group;
+
+/// <summary>Several vehicles search one area: who flies what, and what becomes of it where vehicles or the radio fail.</summary>
+public sealed class GroupSearchTests
+{
+    // 10 lanes of 360 m.
+    private const string Field = "[[60,-180],[60,180],[360,180],[360,-180]]";
+
+    [Fact]
+    public void Search_Three_EachFliesAThirdAndTheAreaIsSeen()
+    {
+        using GroupRig rig = Open(3);
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.All(rig.Rigs, r => Assert.True(r.Status.Coverage >= 0.98, rig.Story));
+        Assert.All(rig.Rigs, r => Assert.Equal(MissionOutcome.Accomplished, r.Status.Result.Outcome));
+        Assert.Equal(10, Enumerable.Range(0, 3).Sum(i => rig.ShareOf(i).Count));
+        Assert.All(Enumerable.Range(0, 3), i => Assert.InRange(rig.ShareOf(i).Count, 3, 5));
+    }
+
+    [Fact]
+    public void Search_Three_TakesLessThanSixTenthsOfTheTimeOfOne()
+    {
+        using GroupRig one = Open(1);
+        Assert.True(one.RunToEnd(), one.Story);
+        using GroupRig three = Open(3);
+        Assert.True(three.RunToEnd(), three.Story);
+        Assert.True(three.Seconds < 0.6 * one.Seconds, $"{three.Seconds} s and {one.Seconds} s" + three.Story);
+    }
+
+    [Fact]
+    public void Search_Alone_HasAllLanes()
+    {
+        using GroupRig rig = Open(1);
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.Equal(new LaneShare(1, 0, 10), rig.ShareOf(0));
+        Assert.Equal(MissionOutcome.Accomplished, rig.Rigs[0].Status.Result.Outcome);
+    }
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(2)]
+    public void Search_OneIsLost_TheOthersTakeItsLanes(int lost)
+    {
+        using GroupRig rig = Open(3);
+        Assert.True(rig.RunUntil(() => rig.Rigs[lost].Status.LanesFlown >= 1, 300), rig.Story);
+        rig.Lost.Add(lost);
+        int[] left = Enumerable.Range(0, 3).Where(i => i != lost).ToArray();
+        Assert.True(rig.RunUntil(() => left.Sum(i => rig.ShareOf(i).Count) == 10, 6), "within 6 s " + rig.Story);
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.All(left, i => Assert.True(rig.Rigs[i].Status.Coverage >= 0.98, rig.Story));
+    }
+
+    [Fact]
+    public void Search_OneComesLate_TakesAShare()
+    {
+        using GroupRig rig = Open(3);
+        rig.SwitchedOn = 2;
+        Assert.True(rig.RunUntil(() => rig.Rigs[0].Status.LanesFlown >= 1, 300), rig.Story);
+        rig.SwitchedOn = 3;
+        Assert.True(rig.RunUntil(() => rig.Rigs[2].Status.Phase == MissionPhase.TakingOff, 60), rig.Story);
+        Assert.True(rig.RunUntil(() => rig.ShareOf(2).Count > 0, 6), "within 6 s " + rig.Story);
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.True(rig.Rigs[2].Status.LanesFlown > 0, rig.Story);
+        Assert.All(rig.Rigs, r => Assert.True(r.Status.Coverage >= 0.98, rig.Story));
+    }
+
+    [Fact]
+    public void Search_OneReturns_HandsItsLanesOver()
+    {
+        using GroupRig rig = Open(2);
+        Assert.True(rig.RunUntil(() => rig.Rigs[1].Status.LanesFlown >= 1, 300), rig.Story);
+        rig.Rigs[1].Vehicle.Health = new HealthReport
+        {
+            Level = HealthLevel.Critical, Advice = HealthAdvice.ReturnToLaunch, AdviceText = "battery",
+        };
+        Assert.True(rig.RunUntil(() => rig.ShareOf(0).Count == 10, 6), "within 6 s " + rig.Story);
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.True(rig.Rigs[0].Status.Coverage >= 0.98, rig.Story);
+    }
+
+    [Fact]
+    public void Search_PartitionHeals_EachPartGoesOnAndOneDivisionHoldsAfterIt()
+    {
+        using GroupRig rig = Open(3);
+        Assert.True(rig.RunUntil(() => rig.Rigs[0].Status.LanesFlown >= 1, 300), rig.Story);
+        rig.Reaches = (from, to) => (from == 0) == (to == 0);
+        rig.Run(20);
+        Assert.Equal(1, rig.StatusOf(0).DivisionAuthor);
+        Assert.Equal(10, rig.ShareOf(0).Count);
+        Assert.Equal(2, rig.StatusOf(1).DivisionAuthor);
+        Assert.Equal(10, rig.ShareOf(1).Count + rig.ShareOf(2).Count);
+        rig.Reaches = (_, _) => true;
+        Assert.True(
+            rig.RunUntil(
+                () => Enumerable.Range(0, 3).All(i => rig.StatusOf(i).DivisionAuthor == 1 && rig.ShareOf(i).Count < 10), 30),
+            rig.Story);
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.All(rig.Rigs, r => Assert.True(r.Status.Coverage >= 0.98, rig.Story));
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    public void Search_FortyPercentLost_TheAreaIsSeen(int seed)
+    {
+        using GroupRig rig = Open(3, seed);
+        rig.Loss = 0.4;
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.True(rig.Rigs.Max(r => r.Status.Coverage) >= 0.98, rig.Story);
+    }
+
+    [Fact]
+    public void Wait_SameHeight_OnlyTheFirstTakesOff()
+    {
+        using var rig = new GroupRig(
+            2, MissionRig.Mission(area: Field), change: (_, o) => o.Group = new GroupOptions { HeightLayer = 0 });
+        rig.Run(60);
+        Assert.Equal(MissionPhase.Searching, rig.Rigs[0].Status.Phase);
+        Assert.Equal(MissionPhase.WaitingForVehicle, rig.Rigs[1].Status.Phase);
+        Assert.Contains("vehicle 1 searches 0.0 m above or below our height", rig.Rigs[1].Status.Text, System.StringComparison.Ordinal);
+    }
+
+    private static GroupRig Open(int vehicles, int seed = 1)
+        => new(vehicles, MissionRig.Mission(area: Field), seed);
+}
