@@ -252,6 +252,7 @@ internal static class ManagerOptions
             return made;
         made.Preflight = options.Preflight.Copy();
         made.Preflight.ObstacleHeightMetres ??= mission.ObstacleHeightMetres;
+        made.Preflight.MaxReturnHeightMetres = mission.HeightMetres + options.MissionControl.Group?.SpareMetres;
         made.Preflight.Terrain = options.MissionControl.Terrain ?? options.Terrain;
         (made.Preflight.SearchArea, made.Preflight.FenceMarginMetres) = (mission.Area, mission.FenceMarginMetres);
         made.Preflight.MinBatteryFraction = mission.MinBatteryFractionAtStart;

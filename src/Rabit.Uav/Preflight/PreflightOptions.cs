@@ -32,6 +32,12 @@ public sealed class PreflightOptions
     /// </summary>
     public double? ObstacleHeightMetres { get; set; }
 
+    /// <summary>
+    /// The highest that the autopilot may return, metres above home: in a group a higher return is in the layer of
+    /// another vehicle. Set where the system is composed; null for no limit.
+    /// </summary>
+    internal double? MaxReturnHeightMetres { get; set; }
+
     /// <summary>How far above the highest obstacle the vehicle must return.</summary>
     /// <value>
     /// 0 or more. The default is 10 m: barometric height drifts by some metres in a flight, and trees are measured

@@ -25,12 +25,9 @@ internal static class ReturnHeightRule
         Test = ParameterTest.Custom(Judge, " m"),
         Pass = "obstacles, or the highest ground of a terrain grid, and the clearance (10 m) or more",
         Warn = "the mission names no obstacleHeightMetres",
-        Fail = "below obstacles or terrain, and the clearance; 0 is the present height, which in a take-off is as low",
-        Note = facts => MaxGroundMetres(facts) is { } ground
-            ? string.Format(
-                CultureInfo.InvariantCulture, ", terrain up to {0:0} m: {1:0} m or more", ground,
-                ground + facts.Options.MinObstacleClearanceMetres)
-            : string.Empty,
+        Fail = "below obstacles or terrain, and the clearance; 0 is the present height, which in a take-off is as low; "
+            + "in a group, in the layer of another vehicle",
+        Note = NoteOf,
         HowToSet = "set it above the obstacles that the mission file names by obstacleHeightMetres, and the terrain",
         Reason = "the return is a straight line at this height, or at the present one where that is higher",
     };
@@ -52,11 +49,24 @@ internal static class ReturnHeightRule
         double? obstacle = facts.Options.ObstacleHeightMetres;
         double? ground = MaxGroundMetres(facts);
         double clearance = facts.Options.MinObstacleClearanceMetres;
-        if (metres < obstacle + clearance || metres < ground + clearance)
+        if (metres < obstacle + clearance || metres < ground + clearance
+            || metres > facts.Options.MaxReturnHeightMetres)
             return PreflightResult.Fail;
 
         // What stands on the ground, a grid of the ground does not say.
         return obstacle is null ? PreflightResult.Warn : PreflightResult.Pass;
+    }
+
+    private static string NoteOf(PreflightFacts facts)
+    {
+        string ground = MaxGroundMetres(facts) is { } metres
+            ? string.Format(
+                CultureInfo.InvariantCulture, ", terrain up to {0:0} m: {1:0} m or more", metres,
+                metres + facts.Options.MinObstacleClearanceMetres)
+            : string.Empty;
+        return facts.Options.MaxReturnHeightMetres is { } limit
+            ? ground + string.Format(CultureInfo.InvariantCulture, ", {0:0} m or less in the group", limit)
+            : ground;
     }
 
     private static double? MaxGroundMetres(PreflightFacts facts)

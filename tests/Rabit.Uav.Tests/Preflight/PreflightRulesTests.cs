@@ -148,6 +148,17 @@ public sealed class PreflightRulesTests
         Assert.Equal(PreflightResult.Warn, facts.With("RTL_ALT_M", 60).Line("return-height").Result);
     }
 
+    [Theory]
+    [InlineData(45, PreflightResult.Pass)]
+    [InlineData(46, PreflightResult.Fail)]
+    public void Judge_ReturnHeightInAGroup_IsBelowTheNextLayer(double value, PreflightResult expected)
+    {
+        PreflightLine line = PreflightCases.Facts(options: o => o.MaxReturnHeightMetres = 45)
+            .With("RTL_ALT_M", value).Line("return-height");
+
+        Assert.Equal((expected, $"{value} m, 45 m or less in the group"), (line.Result, line.Value));
+    }
+
     [Fact]
     public void Judge_OldNames_AreKnownWithTheirUnits()
     {

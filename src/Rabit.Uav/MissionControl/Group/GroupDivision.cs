@@ -104,14 +104,15 @@ internal sealed class GroupDivision
         if (isTaken && shares.SequenceEqual(Shares))
             return;
 
-        ushort number = Number;
+        ushort? number = Author == ownSystemId ? Number : null;
         foreach ((byte _, GroupReport report) in present)
         {
-            if (report.DivisionAuthor == ownSystemId && IsNewer(report.DivisionNumber, number))
+            bool isOurs = report.DivisionAuthor == ownSystemId;
+            if (isOurs && (number is null || IsNewer(report.DivisionNumber, number.Value)))
                 number = report.DivisionNumber;
         }
 
-        Set(ownSystemId, unchecked((ushort)(number + 1)), shares);
+        Set(ownSystemId, unchecked((ushort)((number ?? Number) + 1)), shares);
         _sent = now - RepeatPeriod;
     }
 

@@ -47,6 +47,9 @@ public sealed class GroupOptions
     /// <summary>How much higher than the mission says this vehicle flies.</summary>
     internal double LayerMetres => HeightLayer * LayerSpacingMetres;
 
+    /// <summary>How far above the height of the search the next layer is not touched.</summary>
+    internal double SpareMetres => LayerSpacingMetres - SeparationMetres;
+
     internal GroupOptions Copy() => (GroupOptions)MemberwiseClone();
 
     internal IEnumerable<string> FindFaults()

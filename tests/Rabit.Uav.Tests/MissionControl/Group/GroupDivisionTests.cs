@@ -1,0 +1,162 @@
+using System;
+using System.Collections.Generic;
+using System.Collections.Immutable;
+using System.Linq;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+using Xunit;
+
+namespace Rabit.Uav.Tests.MissionControl.Group;
+
+/// <summary>Who divides the lanes, when, and whose division holds.</summary>
+public sealed class GroupDivisionTests
+{
+    private const int Lanes = 12;
+
+    private readonly GroupDivision _division = new();
+    private readonly Dictionary<byte, GroupReport> _others = [];
+    private TimeSpan _now = TimeSpan.FromSeconds(100);
+    private GroupReport _own = Report();
+
+    [Fact]
+    public void Update_AtTheStart_WaitsForOthers()
+    {
+        Update(seconds: 2);
+        Assert.Equal(0, _division.Author);
+        Update(seconds: 1);
+        Assert.Equal(5, _division.Author);
+    }
+
+    [Fact]
+    public void Update_LowerIdIsReceived_DividesNothing()
+    {
+        _others[4] = Report();
+        Update(seconds: 10);
+        Assert.Equal(0, _division.Author);
+    }
+
+    [Fact]
+    public void Update_LowerIdIsNotReceivedAnyMore_Divides()
+    {
+        _others[4] = Report();
+        Update(seconds: 10);
+        _others.Clear();
+        Update(seconds: 1);
+        Assert.Equal(5, _division.Author);
+        Assert.Equal(Lanes, _division.ShareOf(5).Count);
+    }
+
+    [Fact]
+    public void Update_SameVehicles_KeepsTheDivisionAndRepeatsIt()
+    {
+        _others[6] = Report();
+        Update(seconds: 3);
+        ushort number = _division.Number;
+        int sent = Update(seconds: 20);
+        Assert.Equal(number, _division.Number);
+        Assert.InRange(sent, 9, 11);
+    }
+
+    [Fact]
+    public void Update_Alone_SendsNothing()
+        => Assert.Equal(0, Update(seconds: 20));
+
+    [Fact]
+    public void Update_OneComes_DividesAnew()
+    {
+        Update(seconds: 3);
+        _others[6] = Report();
+        Update(seconds: 0.2);
+        Assert.Equal([6, 6], _division.Shares.Select(s => s.Count));
+    }
+
+    [Fact]
+    public void Update_OneLeavesWithLanes_DividesAnew()
+    {
+        _others[6] = Report();
+        Update(seconds: 3);
+        _others[6] = Report() with { State = GroupMemberState.Leaving };
+        Update(seconds: 0.2);
+        Assert.Equal(Lanes, _division.ShareOf(5).Count);
+    }
+
+    [Fact]
+    public void Update_OneLeavesWithoutLanes_KeepsTheDivision()
+    {
+        _others[6] = Report();
+        Update(seconds: 3);
+        ushort number = _division.Number;
+        _others[6] = Report() with { State = GroupMemberState.Leaving, MetresLeft = 0 };
+        Update(seconds: 20);
+        Assert.Equal(number, _division.Number);
+    }
+
+    [Fact]
+    public void Update_AfterARestart_TakesANumberThatTheOthersFollow()
+    {
+        _others[6] = Report() with { DivisionAuthor = 5, DivisionNumber = 40_000 };
+        Update(seconds: 3);
+        Assert.Equal(40_001, _division.Number);
+    }
+
+    [Fact]
+    public void Receive_OfTheAuthor_IsTaken()
+    {
+        Receive(source: 2, number: 1, author: 2, new LaneShare(5, 3, 4));
+        Assert.Equal(2, _division.Author);
+        Assert.Equal(new LaneShare(5, 3, 4), _division.ShareOf(5));
+    }
+
+    [Fact]
+    public void Receive_OlderNumber_IsNotTaken()
+    {
+        Receive(source: 2, number: 2, author: 2, new LaneShare(5, 3, 4));
+        Receive(source: 2, number: 1, author: 2, new LaneShare(5, 0, 4));
+        Receive(source: 2, number: 2, author: 2, new LaneShare(5, 0, 4));
+        Assert.Equal(3, _division.ShareOf(5).First);
+    }
+
+    [Fact]
+    public void Receive_NumberAfterTheLast_IsNewer()
+    {
+        Receive(source: 2, number: 65535, author: 2, new LaneShare(5, 3, 4));
+        Receive(source: 2, number: 0, author: 2, new LaneShare(5, 0, 4));
+        Assert.Equal(0, _division.ShareOf(5).First);
+    }
+
+    [Fact]
+    public void Receive_NotOfTheAuthorOrBeyondTheLanes_IsRefused()
+    {
+        Receive(source: 3, number: 1, author: 2, new LaneShare(5, 0, 4));
+        Receive(source: 5, number: 1, author: 5, new LaneShare(5, 0, 4));
+        Receive(source: 2, number: 1, author: 2, new LaneShare(5, 10, 3));
+        Assert.Equal(3, _division.Refused);
+        Assert.Equal(0, _division.Author);
+    }
+
+    private void Receive(byte source, ushort number, byte author, params LaneShare[] shares)
+        => _division.Receive(
+            source, new LaneDivision { Number = number, Shares = [.. shares] }, ownSystemId: 5, author, Lanes);
+
+    // As often as Mission Control does; gives how often it was sent.
+    private int Update(double seconds)
+    {
+        int sent = 0;
+        for (TimeSpan end = _now + TimeSpan.FromSeconds(seconds); _now < end; _now += TimeSpan.FromSeconds(0.2))
+        {
+            (byte, GroupReport)[] present = _others.OrderBy(o => o.Key).Select(o => (o.Key, o.Value)).ToArray();
+            _own.DivisionNumber = _division.Number;
+            if (_division.Update(_own, 5, present, id => id == 5 ? _own.MetresLeft : _others[id].MetresLeft, Equally, _now))
+                sent++;
+        }
+
+        return sent;
+    }
+
+    private static ImmutableArray<LaneShare> Equally(IReadOnlyList<(byte SystemId, GroupReport Report)> members)
+        => members.Select((m, i) => new LaneShare(m.SystemId, i * Lanes / members.Count, Lanes / members.Count))
+            .ToImmutableArray();
+
+    private static GroupReport Report()
+        => new() { State = GroupMemberState.Available, SpeedMetresPerSecond = 6, MetresLeft = 1000 };
+}
