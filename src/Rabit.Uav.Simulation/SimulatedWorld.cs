@@ -38,6 +38,16 @@ public sealed class SimulatedWorld
     private readonly TruthRecorder _recorder = new();
     private bool _hasVehicle;
 
+    // The same things on the ground, and another vehicle; home is where that stands.
+    private SimulatedWorld(SimulationOptions options, SimulatedWorld shared)
+    {
+        Options = options.ValidatedCopy(nameof(options));
+        Frame = new WorldFrame(Options.Home);
+        Things = shared.Things
+            .Select(t => t.At(NedPosition.Origin + Frame.ToWorld(shared.PositionOf(t.Position)) with { Down = 0 }))
+            .ToArray();
+    }
+
     /// <summary>Makes the world; nothing moves yet.</summary>
     /// <param name="options">Checked and read now; later changes have no effect.</param>
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
@@ -129,6 +139,9 @@ public sealed class SimulatedWorld
     /// <summary>Where something of the world is, by the earth's coordinates.</summary>
     /// <param name="position">In the frame of the world.</param>
     public GeodeticPosition PositionOf(NedPosition position) => Frame.ToPlace(position - NedPosition.Origin);
+
+    /// <summary>The same world with another vehicle.</summary>
+    internal SimulatedWorld With(SimulationOptions options) => new(options, this);
 
     /// <summary>The vehicle alone, to be stepped by a test.</summary>
     internal SimulatedVehicle CreateVehicle(int linkCount = 1) => new(Options, Frame, History, _recorder, linkCount);

@@ -164,6 +164,8 @@ public sealed class SimulationOptions
             .Select(c => NedPosition.Origin + frame.ToWorld(c)).ToArray();
     }
 
+    internal SimulationOptions Copy() => (SimulationOptions)MemberwiseClone();
+
     /// <summary>Checks, and takes a copy that later changes do not reach.</summary>
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
     internal SimulationOptions ValidatedCopy(string parameter)
@@ -171,7 +173,7 @@ public sealed class SimulationOptions
         List<string> faults = FindFaults().ToList();
         if (faults.Count > 0)
             throw new ArgumentException("The simulated world: " + string.Join("; ", faults) + ".", parameter);
-        var copy = (SimulationOptions)MemberwiseClone();
+        SimulationOptions copy = Copy();
         copy.Camera = (Camera
             ?? throw new ArgumentException(
                 "The simulated world: the camera may be left as it is, but not null.", parameter))

@@ -38,4 +38,18 @@ public sealed class SimulatedTarget
     public bool IsDistractor { get; init; }
 
     internal SurfaceColour Surface { get; init; }
+
+    /// <summary>The same at another place.</summary>
+    internal SimulatedTarget At(NedPosition position) => new()
+    {
+        Id = Id,
+        Name = Name,
+        Class = Class,
+        Position = position,
+        SideMetres = SideMetres,
+        WidthMetres = WidthMetres,
+        Heading = Heading,
+        IsDistractor = IsDistractor,
+        Surface = Surface,
+    };
 }

@@ -89,16 +89,16 @@ internal sealed class GroupDivision
         bool haveChanged = !isTaken || available.Any(m => ShareOf(m.SystemId).SystemId == 0)
             || Shares.Any(s => available.All(m => m.SystemId != s.SystemId) && metresLeft(s.SystemId) > 0);
         if (available.Length > 0 && (haveChanged || IsUnbalanced(available, now)))
-            Divide(available, ownSystemId, divide(available), isTaken, present, now);
+            Set(ownSystemId, divide(available), isTaken, present, now);
         if (Author != ownSystemId || now - _sent < RepeatPeriod || present.Count == 0)
             return false;
         _sent = now;
         return true;
     }
 
-    private void Divide(
-        (byte SystemId, GroupReport Report)[] available, byte ownSystemId, ImmutableArray<LaneShare> shares,
-        bool isTaken, IReadOnlyList<(byte SystemId, GroupReport Report)> present, TimeSpan now)
+    private void Set(
+        byte ownSystemId, ImmutableArray<LaneShare> shares, bool isTaken,
+        IReadOnlyList<(byte SystemId, GroupReport Report)> present, TimeSpan now)
     {
         _made = now;
         if (isTaken && shares.SequenceEqual(Shares))

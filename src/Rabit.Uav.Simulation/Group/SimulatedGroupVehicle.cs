@@ -1,0 +1,60 @@
+using System;
+using Rabit.Core;
+using Rabit.Geodesy;
+using Rabit.Links;
+using Rabit.Mavlink.Messages;
+
+namespace Rabit.Uav.Simulation;
+
+/// <summary>One vehicle of a simulated group: what its companion computer is composed of.</summary>
+public sealed class SimulatedGroupVehicle
+{
+    internal SimulatedGroupVehicle(SimulatedWorld world, VirtualTime time, IByteLink radio, TimeSpan switchedOnAt)
+    {
+        (World, Time, Radio, SwitchedOnAt) = (world, time, radio, switchedOnAt);
+    }
+
+    /// <summary>The world with this vehicle: its camera, its telemetry, its truth.</summary>
+    public SimulatedWorld World { get; }
+
+    /// <summary>The time of its reactor.</summary>
+    public VirtualTime Time { get; }
+
+    /// <summary>The link to the other vehicles; what its companion computer opens beside the telemetry.</summary>
+    public IByteLink Radio { get; }
+
+    /// <summary>
+    /// What goes over that link, for <see cref="Communications.CommunicationsOptions.LinkSettings"/>: our own
+    /// heartbeat, position and vehicle messages. The telemetry of the autopilot would fill it.
+    /// </summary>
+    public LinkSettings RadioSettings => new()
+    {
+        Name = "radio",
+        AllowOut = new LinkFilter(
+            [(int)Heartbeat.MavlinkId, (int)GlobalPositionInt.MavlinkId, (int)Tunnel.MavlinkId],
+            [(SystemId, (byte)MavComponent.OnboardComputer)]),
+    };
+
+    /// <summary>When it is switched on, by the clock of the group: the time at which its own clock begins.</summary>
+    public TimeSpan SwitchedOnAt { get; }
+
+    /// <summary>Its MAVLink system id.</summary>
+    public byte SystemId => World.Options.SystemId;
+
+    /// <summary>How its reactor ended; null while it runs, and where the vehicle was lost.</summary>
+    public ReactorResult? Result { get; internal set; }
+
+    /// <summary>Whether the vehicle is lost.</summary>
+    public bool IsLost { get; internal set; }
+
+    internal RabitReactor? Reactor { get; set; }
+
+    /// <summary>Whether its reactor has started: before that its messages cannot be fetched.</summary>
+    public bool HasStarted { get; internal set; }
+
+    /// <summary>Where it stands at the start, in the frame of the group.</summary>
+    internal NedPosition Start { get; init; }
+
+    /// <summary>Where it is now, in the frame of the group.</summary>
+    internal NedPosition Place => World.Truth.Pose.Position + (Start - NedPosition.Origin);
+}
