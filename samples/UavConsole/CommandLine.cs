@@ -149,7 +149,7 @@ internal static class CommandLine
             "Rabit's managers fly a search: a simulated one, or with a real vehicle; or they observe a flight, live or "
                 + "recorded.")
         {
-            Links, RealTime, Seed, Targets, Autopilot, Mission, Fly, Camera, Terrain, TruthOption, Headless, Summary,
+            Links, RealTime, Seed, Targets, GroupArguments.Vehicles, Autopilot, Mission, Fly, Camera, Terrain, TruthOption, Headless, Summary,
             Report, Log, SystemId, SignKey, TrustLink, Px4Events,
         };
         foreach (Option option in PreflightArguments.All.Concat(OperatorArguments.All)
@@ -213,6 +213,7 @@ internal static class CommandLine
         IsRealTime = result.GetValue(RealTime),
         Seed = result.GetValue(Seed) ?? (given.Config?.TextOf("Seed") is null ? 1 : given.Config.Options.Seed),
         TargetCount = result.GetValue(Targets) ?? 5,
+        Vehicles = GroupArguments.Read(result),
         Autopilot = result.GetValue(Autopilot) == "px4" ? SimulatedAutopilot.Px4 : SimulatedAutopilot.ArduPilot,
         MissionFile = given.Mission.Value,
         MissionOption = given.Mission.Name,
@@ -245,7 +246,8 @@ internal static class CommandLine
             .Concat(OperatorArguments.FindFaults(result, given))
             .Concat(AbandonedArguments.FindFaults(
                 result, !given.IsSimulated && !given.IsReplay, given.Flies.Value))
-            .Concat(WebArguments.FindFaults(result));
+            .Concat(WebArguments.FindFaults(result))
+            .Concat(GroupArguments.FindFaults(result, given));
 
     private static IEnumerable<string> WithoutLink(ParseResult result, Given given)
     {

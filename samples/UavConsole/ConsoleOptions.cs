@@ -28,6 +28,9 @@ internal sealed class ConsoleOptions
     /// <summary>How many targets the simulated world has.</summary>
     public int TargetCount { get; init; } = 5;
 
+    /// <summary>How many simulated vehicles search together.</summary>
+    public int Vehicles { get; init; } = 1;
+
     /// <summary>What the simulated vehicle flies with.</summary>
     public SimulatedAutopilot Autopilot { get; init; }
 

@@ -70,8 +70,7 @@ internal sealed class Flight : IDisposable
 
     private static Flight OpenSimulation(ConsoleOptions options)
     {
-        MissionFile file = ReadMission(
-            options.MissionFile ?? Path.Combine(AppContext.BaseDirectory, BundledMission), options.MissionOption);
+        MissionFile file = ReadSimulatedMission(options);
         MissionPlan mission = file.Plan;
         var worldOptions = new SimulationOptions
         {
@@ -112,6 +111,11 @@ internal sealed class Flight : IDisposable
             TruePosition = () => world.PositionOf(world.Truth.Pose.Position with { Down = 0 }),
         };
     }
+
+    /// <summary>What the simulation flies: the mission that was given, or the bundled one.</summary>
+    /// <exception cref="ArgumentException">It cannot be read; the text says why.</exception>
+    public static MissionFile ReadSimulatedMission(ConsoleOptions options) => ReadMission(
+        options.MissionFile ?? Path.Combine(AppContext.BaseDirectory, BundledMission), options.MissionOption);
 
     private static Flight OpenLinks(ConsoleOptions options)
     {

@@ -31,6 +31,8 @@ internal static class FlightRun
     {
         if (options.AbandonedStateFile is not null)
             return AbandonedRun.Run(options);
+        if (options.Vehicles > 1)
+            return GroupRun.Run(options);
         Flight? flight = null;
         RunFiles? files = null;
         WebView? web = null;
@@ -252,7 +254,7 @@ internal static class FlightRun
     }
 
     // ArgumentException adds the parameter's name on a line or in brackets; a person needs the sentence alone.
-    private static string FirstLine(string text)
+    public static string FirstLine(string text)
     {
         int end = text.IndexOf(" (Parameter '", StringComparison.Ordinal);
         if (end < 0)

@@ -11,10 +11,11 @@ internal sealed class RunFiles : IDisposable
 {
     private const int MaxNameLength = 40;
 
-    private RunFiles(OutputPath? summary, OutputPath? report, OutputPath? log, IEnumerable<OutputPath> exports)
+    private RunFiles(
+        OutputPath? summary, IEnumerable<OutputPath> reports, OutputPath? log, IEnumerable<OutputPath> exports)
     {
         Summary = summary is null ? null : new WholeFile(summary);
-        Report = report is null ? null : new WholeFile(report);
+        Reports = [.. reports.Select(r => new WholeFile(r))];
         Log = log is null ? null : new LogFile(log);
         Exports = [.. exports.Select(e => new WholeFile(e))];
     }
@@ -23,7 +24,10 @@ internal sealed class RunFiles : IDisposable
     public WholeFile? Summary { get; }
 
     /// <summary>Null where none is wanted.</summary>
-    public WholeFile? Report { get; }
+    public WholeFile? Report => Reports.Count > 0 ? Reports[0] : null;
+
+    /// <summary>One for each vehicle; none where none is wanted.</summary>
+    public IReadOnlyList<WholeFile> Reports { get; }
 
     /// <summary>Null where none is wanted.</summary>
     public LogFile? Log { get; }
@@ -51,7 +55,7 @@ internal sealed class RunFiles : IDisposable
             OutputPath.CheckReplaced("--originals", options.Preflight.OriginalsFile);
         return new RunFiles(
             OutputPath.Check("--summary", options.SummaryFile, options.Links),
-            OutputPath.Check("--report", report, options.Links),
+            ReportsOf(report, options.Vehicles).Select(r => OutputPath.Check("--report", r, options.Links)!).ToArray(),
             OutputPath.Check("--log", options.LogFile, options.Links),
             options.Reporting.Exports.Select(e => OutputPath.Check("--export", e, options.Links)!).ToArray());
     }
@@ -72,6 +76,19 @@ internal sealed class RunFiles : IDisposable
     {
         string date = DateTime.UtcNow.ToString("yyyyMMdd-HHmmss", CultureInfo.InvariantCulture);
         return $"{StemOf(mission)}-{date}-report.html".TrimStart('-');
+    }
+
+    // Of several vehicles each has its own: search-report.html is search-report-vehicle-1.html and so on.
+    private static IEnumerable<string> ReportsOf(string? report, int vehicles)
+    {
+        if (report is null)
+            return [];
+        string end = Path.GetExtension(report);
+        string stem = report.Remove(report.Length - end.Length);
+        return vehicles == 1
+            ? [report]
+            : Enumerable.Range(1, vehicles)
+                .Select(v => stem + "-vehicle-" + v.ToString(CultureInfo.InvariantCulture) + end);
     }
 
     private static void CheckTheyDiffer(IReadOnlyList<(string Option, string? Path)> files)

@@ -8,9 +8,9 @@ namespace UavConsole;
 /// <summary>
 /// The log of the run: each entry becomes a line of the file, goes to the report, and waits for the view. Times are
 /// those of the run's clock, so that the same flight in virtual time gives the same bytes. Any thread writes; one
-/// reads, that of the view.
+/// reads, that of the view. Of several vehicles each has a log of its own, whose lines begin with a prefix.
 /// </summary>
-internal sealed class RunLog(LogFile? file = null)
+internal sealed class RunLog(LogFile? file = null, string prefix = "")
 {
     private const int MaxKept = 200;
 
@@ -81,6 +81,7 @@ internal sealed class RunLog(LogFile? file = null)
 
     private void Keep(string line)
     {
+        line = prefix + line;
         file?.WriteLine(FlightText.Printable(line));
         _lines.Enqueue(line);
         if (_lines.Count > MaxKept)

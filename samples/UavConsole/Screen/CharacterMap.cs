@@ -63,7 +63,7 @@ internal sealed class CharacterMap
 
     private void Fit()
     {
-        IEnumerable<NedPosition> all = _model.Area.Concat(_model.Path)
+        IEnumerable<NedPosition> all = _model.Area.Concat(_model.Path).Concat(_model.Group.SelectMany(v => v.Path))
             .Concat(_model.Tracks.Where(t => t.Track.State != TrackState.Tentative).Select(t => t.Position));
         if (_model.Home is { } home)
             all = all.Append(home);
@@ -93,8 +93,12 @@ internal sealed class CharacterMap
             Line(_model.Lanes[index], _model.Lanes[index + 1], MapInk.Lane, every: 3);
         for (int index = 0; index < _model.Area.Count; index++)
             Line(_model.Area[index], _model.Area[(index + 1) % _model.Area.Count], MapInk.Area);
-        for (int index = 1; index < _model.Path.Count; index++)
-            Line(_model.Path[index - 1], _model.Path[index], MapInk.Path);
+        foreach (IReadOnlyList<NedPosition> path in _model.Group.Select(v => v.Path).Append(_model.Path))
+        {
+            for (int index = 1; index < path.Count; index++)
+                Line(path[index - 1], path[index], MapInk.Path);
+        }
+
         foreach (MapTrack track in _model.Tracks.Where(t => t.Track.State == TrackState.Confirmed))
             DrawEllipse(track);
     }
@@ -139,8 +143,10 @@ internal sealed class CharacterMap
             Mark(home, 'H', MapInk.Home);
         foreach (MapTrack track in _model.Tracks.OrderBy(t => t.Track.State == TrackState.Confirmed))
             Mark(track.Position, LetterOf(track.Track), InkOf(track.Track));
-        if (_model.Vehicle is { } vehicle)
-            Mark(vehicle, Arrow(), MapInk.Vehicle);
+        if (_model.Vehicle is { } place)
+            Mark(place, Arrow(), MapInk.Vehicle);
+        foreach (MapVehicle vehicle in _model.Group.Where(v => v.Path.Count > 0))
+            Mark(vehicle.Path[vehicle.Path.Count - 1], vehicle.Mark, MapInk.Vehicle);
     }
 
     private void DrawNumbers()

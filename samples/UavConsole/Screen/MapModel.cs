@@ -27,6 +27,9 @@ internal sealed class MapModel
     /// <summary>Clockwise from north.</summary>
     public double VehicleYawRadians { get; init; }
 
+    /// <summary>The vehicles of a group, where there are several.</summary>
+    public IReadOnlyList<MapVehicle> Group { get; init; } = [];
+
     /// <summary>Targets, tentative ones too.</summary>
     public IReadOnlyList<MapTrack> Tracks { get; init; } = [];
 
@@ -47,6 +50,26 @@ internal sealed class MapModel
             Vehicle = samples.Length == 0 ? null : frame.ToNed(samples[samples.Length - 1].Position),
             VehicleYawRadians = samples.Length == 0 ? 0 : samples[samples.Length - 1].Yaw.Radians,
             Tracks = [.. record.Tracks.Tracks.Select(t => new MapTrack(frame.ToNed(t.Position), t))],
+        };
+    }
+
+    /// <summary>The same with several vehicles, each by its number; area, lanes and targets are those of the first.</summary>
+    public static MapModel Of(IReadOnlyList<FlightRecord> group)
+    {
+        SearchPlan? plan = group.Select(r => r.Mission.Plan).FirstOrDefault(p => p is not null);
+        if (plan is null)
+            return new MapModel();
+        var frame = LocalNedFrame.IgnoringGeoid(plan.Home);
+        return new MapModel
+        {
+            Area = [.. plan.Area.Select(frame.ToNed)],
+            Lanes = [.. plan.Lanes.Select(frame.ToNed)],
+            Tracks = [.. group[0].Tracks.Tracks.Select(t => new MapTrack(frame.ToNed(t.Position), t))],
+            Group = [.. group.Select((record, index) => new MapVehicle
+            {
+                Mark = (char)('1' + index),
+                Path = [.. record.Samples.Where(s => s.HasPosition).Select(s => frame.ToNed(s.Position))],
+            })],
         };
     }
 }

@@ -60,7 +60,7 @@ internal sealed class MissionView(FlightMonitor monitor, IKeyHints? keys = null)
     {
         IReadOnlyList<string> left = IsChecklistShown()
             ? ChecklistPane.Draw(monitor.Preflight, layout.MapColumns, layout.PanelRows)
-            : MapLines(CharacterMap.Draw(
+            : MapMarkup.Lines(CharacterMap.Draw(
                 MapModel.Of(monitor.Record), layout.MapColumns, layout.PanelRows, isUnicode, isAnnotated: true));
         IReadOnlyList<string> right = new MissionPanel(monitor, layout.PanelWidth).Draw(layout.PanelRows);
         for (int row = 0; row < layout.PanelRows; row++)
@@ -132,24 +132,4 @@ internal sealed class MissionView(FlightMonitor monitor, IKeyHints? keys = null)
 
     private static string ManagerLine(string name, string state, string runs, string work, string faults)
         => $"{Text.Fit(name, 18)}{Text.Fit(state, 8)}{runs,6}{work,5}{faults,2}";
-
-    private static string[] MapLines(MapPicture map)
-        => [.. Enumerable.Range(0, map.Lines.Count).Select(row => MapLine(map, row))];
-
-    private static string MapLine(MapPicture map, int row)
-    {
-        string line = map.Lines[row];
-        var text = new StringBuilder();
-        for (int first = 0; first < line.Length;)
-        {
-            int end = first + 1;
-            while (end < line.Length && map.InkAt(end, row) == map.InkAt(first, row))
-                end++;
-            text.Append('[').Append(ScreenInk.Style(map.InkAt(first, row))).Append(']')
-                .Append(Markup.Escape(line.Substring(first, end - first))).Append("[/]");
-            first = end;
-        }
-
-        return text.ToString();
-    }
 }

@@ -23,6 +23,9 @@ public struct GroupStatus
     /// <summary>Our own share of the lanes.</summary>
     public LaneShare OwnShare { get; set; }
 
+    /// <summary>What we have left of it, metres.</summary>
+    public double OwnMetresLeft { get; set; }
+
     /// <summary>How many lanes the area has.</summary>
     public int Lanes { get; set; }
 

@@ -14,7 +14,7 @@ public sealed class GroupFlightTests(ITestOutputHelper output)
     [Fact]
     public void Flight_Three_SearchTheAreaAndKeepApart()
     {
-        using var flight = new GroupFlight(SearchFlight.SmallPlan(), Options());
+        using var flight = new GroupFlight(SearchFlight.BundledPlan(), Options());
         System.Diagnostics.Stopwatch w = System.Diagnostics.Stopwatch.StartNew();
         Assert.True(flight.RunToEnd(), flight.Log);
         output.WriteLine($"{flight.Group.Now.TotalSeconds} s in {w.Elapsed.TotalSeconds}");
@@ -29,5 +29,5 @@ public sealed class GroupFlightTests(ITestOutputHelper output)
         Assert.All(Enumerable.Range(0, 3), i => Assert.Equal(MissionOutcome.Accomplished, flight.Mission(i).Result.Outcome));
     }
 
-    private static SimulatedGroupOptions Options() => new() { World = SearchFlight.SmallWorld() };
+    private static SimulatedGroupOptions Options() => new() { World = { Seed = 5, TargetCount = 5 } };
 }

@@ -56,6 +56,7 @@ internal sealed class MissionGroup(GroupOptions options, Action<string> log)
         }).ToImmutableArray(),
         DivisionAuthor = _division.Author,
         OwnShare = _division.ShareOf(SystemId),
+        OwnMetresLeft = _own.MetresLeft,
         Lanes = Lanes?.Lanes.Count ?? 0,
         Refused = _members.Refused + _division.Refused + _coverage.Refused,
     };
@@ -113,10 +114,13 @@ internal sealed class MissionGroup(GroupOptions options, Action<string> log)
             return;
         (_share, _doneSince) = (share, null);
         route.SetRest(lanes.Of(share), flight.OverlapMetres, flight.Position);
+        string which = share.Count == 0
+            ? $"none of {MissionNumbers.Of(lanes.Lanes.Count)} lanes is ours"
+            : $"lanes {MissionNumbers.Of(share.First + 1)} to {MissionNumbers.Of(share.First + share.Count)} of "
+                + $"{MissionNumbers.Of(lanes.Lanes.Count)} are ours";
         flight.Log(
-            $"lanes {MissionNumbers.Of(share.First + 1)} to {MissionNumbers.Of(share.First + share.Count)} of "
-                + $"{MissionNumbers.Of(lanes.Lanes.Count)} are ours: vehicle {MissionNumbers.Of(_division.Author)} "
-                + $"divided them among {MissionNumbers.Of(_division.Shares.Length)}");
+            $"{which}: vehicle {MissionNumbers.Of(_division.Author)} divided them among "
+                + MissionNumbers.Of(_division.Shares.Length));
     }
 
     /// <summary>Whether a place is ours to see.</summary>

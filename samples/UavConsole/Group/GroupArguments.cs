@@ -1,0 +1,53 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.Globalization;
+using System.Linq;
+using Rabit.Uav.Simulation;
+
+namespace UavConsole;
+
+/// <summary>The options of the command line for several vehicles.</summary>
+internal static class GroupArguments
+{
+    /// <summary>How many search together.</summary>
+    public static Option<int?> Vehicles { get; } = new("--vehicles")
+    {
+        Description = "How many simulated vehicles search the area together, 1 to "
+            + $"{SimulatedGroupOptions.MaxVehicles}. They divide its lanes, each flies 17 m above the one before it, "
+            + "and each has a report of its own. 1 without it.",
+        HelpName = "N",
+        CustomParser = Parse,
+    };
+
+    public static int Read(ParseResult result) => result.GetValue(Vehicles) ?? 1;
+
+    /// <summary>What does not go with several vehicles.</summary>
+    public static IEnumerable<string> FindFaults(ParseResult result, Given given)
+    {
+        if (Read(result) == 1)
+            yield break;
+        if (!given.IsSimulated)
+        {
+            yield return "--vehicles is for the simulation; of real vehicles each has a UavConsole of its own.";
+            yield break;
+        }
+
+        string[] alone =
+        [
+            "--config", "--sign-key", "--web", "--summary", "--export", "--record", "--progress", "--resume",
+        ];
+        foreach (string name in alone.Where(n => result.Tokens.Any(t => t.Value == n)))
+            yield return $"{name} is for one vehicle; it does not go with --vehicles.";
+    }
+
+    private static int? Parse(ArgumentResult result)
+    {
+        string text = result.Tokens[0].Value;
+        if (int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int count)
+            && count is >= 1 and <= SimulatedGroupOptions.MaxVehicles)
+            return count;
+        result.AddError($"--vehicles {text}: it must be a number from 1 to {SimulatedGroupOptions.MaxVehicles}.");
+        return null;
+    }
+}

@@ -1,0 +1,101 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Core;
+using Rabit.Links;
+using Rabit.Uav;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+using Rabit.Uav.Reporting;
+using Rabit.Uav.Simulation;
+
+namespace UavConsole;
+
+/// <summary>Several simulated vehicles that search one area together.</summary>
+internal sealed class GroupFlight : IDisposable
+{
+    // Between two layers: the simulated home is level, so that heights above it differ by little. With 20 m the third
+    // vehicle would be too high for the smallest target.
+    private const double LayerSpacingMetres = 17;
+
+    private GroupFlight(SimulatedGroup group, MissionFile file, MissionPlan mission)
+        => (Group, MissionFile, Mission) = (group, file, mission);
+
+    public SimulatedGroup Group { get; }
+
+    public MissionFile MissionFile { get; }
+
+    public MissionPlan Mission { get; }
+
+    public List<GroupVehicle> Vehicles { get; } = [];
+
+    /// <summary>Where the targets really are.</summary>
+    public TargetTruth Truth => TargetTruth.Of(Group.Vehicles[0].World, Mission.Targets);
+
+    /// <exception cref="ArgumentException">Options or files are wrong; the text says what.</exception>
+    public static GroupFlight Open(ConsoleOptions options, LogFile? log)
+    {
+        MissionFile file = Flight.ReadSimulatedMission(options);
+        MissionPlan mission = file.Plan;
+        var world = new SimulationOptions
+        {
+            Seed = options.Seed,
+            TargetCount = options.TargetCount,
+            Autopilot = options.Autopilot,
+        };
+        world.TakePlacesFrom(mission);
+        var flight = new GroupFlight(
+            new SimulatedGroup(new SimulatedGroupOptions { Vehicles = options.Vehicles, World = world }), file, mission);
+        try
+        {
+            for (int i = 0; i < options.Vehicles; i++)
+                flight.Add(options, i, log);
+        }
+        catch
+        {
+            flight.Dispose();
+            throw;
+        }
+
+        return flight;
+    }
+
+    public void Dispose()
+    {
+        Group.Finish();
+        foreach (GroupVehicle vehicle in Vehicles)
+            vehicle.Uav.Dispose();
+    }
+
+    private void Add(ConsoleOptions options, int number, LogFile? file)
+    {
+        SimulatedGroupVehicle simulated = Group.Vehicles[number];
+        var telemetry = new MemoryLinkPair("vehicle");
+        var uavOptions = new UavOptions
+        {
+            Subscriptions = [FlightRecorderManager.CreateSubscription()],
+            OpenLinks = [telemetry.A, simulated.Radio],
+            OtherManagers = [simulated.World.CreateVehicle(telemetry.B)],
+            Mission = Mission,
+            MayCommand = true,
+            Camera = simulated.World.CreateCamera(),
+            Time = simulated.Time,
+            Imaging = { Camera = simulated.World.CameraModel, Mount = simulated.World.CameraMount },
+            Communications =
+            {
+                LinkSettings = new Dictionary<int, LinkSettings> { [1] = simulated.RadioSettings },
+            },
+            MissionControl =
+            {
+                Group = new GroupOptions { HeightLayer = number, LayerSpacingMetres = LayerSpacingMetres },
+            },
+        };
+        options.Preflight.ApplyTo(uavOptions, Mission, isSimulated: true);
+        options.Operator.ApplyTo(uavOptions.MissionControl);
+        var log = new RunLog(file, $"vehicle {FlightText.Number(number + 1)}: ");
+        UavSystem uav = UavSystem.Open(uavOptions);
+        RabitReactor reactor = uav.CreateReactor(new ReactorOptions { StopsOnSignals = false, Log = log.Add });
+        Vehicles.Add(new GroupVehicle(simulated, uav, reactor, log));
+        Group.Attach(number, reactor);
+    }
+}

@@ -1,0 +1,157 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.IO;
+using System.Linq;
+using System.Text;
+using System.Threading;
+using System.Threading.Tasks;
+using Rabit.Core;
+using Rabit.Uav.Reporting;
+using Rabit.Uav.Simulation;
+
+namespace UavConsole;
+
+/// <summary>Flies a simulated group, shows it, and reports at the end.</summary>
+internal static class GroupRun
+{
+    private const int BadInput = 2;
+
+    // Longer than any battery of the simulation lasts: no run may hang.
+    private static readonly TimeSpan MaxSimulation = TimeSpan.FromMinutes(40);
+
+    // After the last mission the managers still post their last state.
+    private static readonly TimeSpan Linger = TimeSpan.FromSeconds(3);
+
+    private static readonly TimeSpan RefreshPeriod = TimeSpan.FromMilliseconds(150);
+
+    public static int Run(ConsoleOptions options)
+    {
+        GroupFlight? flight = null;
+        RunFiles? files = null;
+        try
+        {
+            files = RunFiles.Open(options, Flight.ReadSimulatedMission(options).Plan.Name);
+            flight = GroupFlight.Open(options, files.Log);
+        }
+        catch (ArgumentException e)
+        {
+            files?.Dispose();
+            Console.Error.WriteLine("UavConsole: " + FlightRun.FirstLine(e.Message));
+            return BadInput;
+        }
+
+        using (files)
+        using (flight)
+            return Fly(flight, files, options);
+    }
+
+    private static int Fly(GroupFlight flight, RunFiles files, ConsoleOptions options)
+    {
+        using var stop = new CancellationTokenSource();
+        Console.CancelKeyPress += (_, e) =>
+        {
+            e.Cancel = e.SpecialKey == ConsoleSpecialKey.ControlC;
+            stop.Cancel();
+        };
+        var output = GuardedWriter.Create();
+        Console.SetOut(output);
+        Console.WriteLine(
+            $"simulated flight: {flight.Mission.Name}, seed {FlightText.Number(options.Seed)}, "
+                + $"{FlightText.Number(options.TargetCount)} targets, {FlightText.Number(options.Vehicles)} vehicles");
+        Task run = Task.Factory.StartNew(
+            () => RunToEnd(flight, options.IsRealTime, stop.Token), CancellationToken.None,
+            TaskCreationOptions.LongRunning, TaskScheduler.Default);
+        string? lost = Show(run, flight, options);
+        run.GetAwaiter().GetResult();
+        flight.Group.Finish();
+        foreach (GroupVehicle vehicle in flight.Vehicles)
+            vehicle.Refresh();
+        FlightSummary[] summaries = flight.Vehicles.Select(v => Summarise(flight, v, options)).ToArray();
+        var summary = new GroupSummary(flight, summaries);
+        GroupSummaryText.Write(Console.Out, summary);
+        string?[] losses = [.. WriteReports(files, summaries), files.Log?.Loss, lost, output.Loss];
+        foreach (string loss in losses.OfType<string>())
+            Console.Error.WriteLine("UavConsole: " + FlightRun.FirstLine(loss));
+        return losses.Any(l => l is not null) ? BadInput : summary.HasPassed ? 0 : 1;
+    }
+
+    // On a thread of its own.
+    private static void RunToEnd(GroupFlight flight, bool isRealTime, CancellationToken stop)
+    {
+        var clock = Stopwatch.StartNew();
+        SimulatedGroup group = flight.Group;
+        TimeSpan? over = null;
+        while (!stop.IsCancellationRequested && group.Now < MaxSimulation)
+        {
+            group.Step();
+            if (isRealTime && group.Now - clock.Elapsed is { } ahead && ahead > TimeSpan.Zero)
+                stop.WaitHandle.WaitOne(ahead);
+            bool isOver = flight.Vehicles.All(v => v.FetchIsOver());
+            over = isOver ? over ?? group.Now : null;
+            if (group.Now - over >= Linger)
+                return;
+        }
+    }
+
+    // A terminal that has closed ends the view, not the flight.
+    private static string? Show(Task run, GroupFlight flight, ConsoleOptions options)
+    {
+        try
+        {
+            if (options.IsHeadless)
+                new GroupLines(flight).ShowUntilEnd(run);
+            else
+                new GroupScreen(flight).ShowUntilEnd(run);
+            return null;
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ObjectDisposedException)
+        {
+            while (!run.Wait(RefreshPeriod))
+                flight.Vehicles.ForEach(v => v.Refresh());
+            return "the screen was lost in the flight: " + e.Message;
+        }
+    }
+
+    private static FlightSummary Summarise(GroupFlight flight, GroupVehicle vehicle, ConsoleOptions options)
+    {
+        FlightRecord record = vehicle.Monitor.Record;
+        SimulatedWorld world = vehicle.Simulated.World;
+        MissionScore score = TargetScoring.Score(
+            flight.Truth, record, world.PositionOf(world.Truth.Pose.Position with { Down = 0 }));
+        ReactorResult result = vehicle.Simulated.Result!;
+        return new FlightSummary(record, result)
+        {
+            Source = $"vehicle {FlightText.Number(vehicle.Simulated.SystemId)} of "
+                + $"{FlightText.Number(flight.Vehicles.Count)}: {flight.Mission.Name}, seed "
+                + FlightText.Number(options.Seed),
+            CommandLine = options.CommandLine,
+            Seed = options.Seed,
+            OperatorName = options.Reporting.OperatorName,
+            MissionFile = flight.MissionFile.Name,
+            MissionFileSha256 = flight.MissionFile.Sha256,
+            Health = vehicle.Monitor.Health,
+            Links = vehicle.Uav.Communications.SummariseLinks(),
+            LinkStatus = vehicle.Monitor.Links,
+            OwnFrames = vehicle.Uav.Communications.CountOwnFrames(),
+            Managers = result.Managers
+                .Select((m, index) => new ManagerSummary(m, vehicle.Monitor.UnitOfWorkTimeOf(index))).ToArray(),
+            Mission = new MissionSummary(record, score),
+            Events = vehicle.Log.Flight.ToArray(),
+            EventCount = vehicle.Log.Flight.Count,
+        };
+    }
+
+    private static IEnumerable<string?> WriteReports(RunFiles files, FlightSummary[] summaries)
+    {
+        for (int i = 0; i < summaries.Length; i++)
+        {
+            using var page = new StringWriter();
+            HtmlReport.Write(page, summaries[i]);
+            string? failure = files.Reports[i].Write(Encoding.UTF8.GetBytes(page.ToString()));
+            if (failure is null)
+                Console.WriteLine("report: " + Path.GetFullPath(files.Reports[i].Path));
+            yield return failure;
+        }
+    }
+}

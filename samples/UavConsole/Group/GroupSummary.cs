@@ -1,0 +1,42 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Uav.Reporting;
+using Rabit.Uav.Simulation;
+
+namespace UavConsole;
+
+/// <summary>How a group flew. Immutable.</summary>
+internal sealed class GroupSummary
+{
+    public GroupSummary(GroupFlight flight, IReadOnlyList<FlightSummary> vehicles)
+    {
+        (Vehicles, Group) = (vehicles, flight.Group);
+        Score = TargetScoring.Score(flight.Truth, vehicles[0].Record.Tracks.Tracks);
+        TruePose[] flown = flight.Group.Vehicles.SelectMany(v => v.World.Truth.Path.Where(p => p.Position.Down < 0))
+            .ToArray();
+        FlightTime = flown.Length == 0 ? TimeSpan.Zero : flown.Max(p => p.Time) - flown.Min(p => p.Time);
+        Coverage = vehicles.Max(v => v.Record.Mission.Coverage);
+    }
+
+    /// <summary>Each vehicle, in the order of the system ids.</summary>
+    public IReadOnlyList<FlightSummary> Vehicles { get; }
+
+    public SimulatedGroup Group { get; }
+
+    /// <summary>The tracks of the first vehicle, which has those of the others, compared with the truth.</summary>
+    public MissionScore Score { get; }
+
+    /// <summary>From the first take-off to the last landing.</summary>
+    public TimeSpan FlightTime { get; }
+
+    /// <summary>How much of the area was seen by all together, 0 to 1.</summary>
+    public double Coverage { get; }
+
+    /// <summary>What of it failed, for people.</summary>
+    public IEnumerable<string> Failures => Vehicles
+        .SelectMany((v, i) => v.Mission!.Failures.Select(f => $"vehicle {FlightText.Number(i + 1)}: {f}"))
+        .Concat(Group.TooNear.Select(GroupSummaryText.Of));
+
+    public bool HasPassed => !Failures.Any();
+}

@@ -1,0 +1,45 @@
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using Rabit.Uav.Reporting;
+using Rabit.Uav.Simulation;
+
+namespace UavConsole;
+
+/// <summary>Writes the summary of a group for people.</summary>
+internal static class GroupSummaryText
+{
+    public static void Write(TextWriter output, GroupSummary summary)
+    {
+        int count = summary.Vehicles.Count;
+        output.WriteLine($"--- summary of {FlightText.Number(count)} vehicles ---");
+        output.WriteLine("mission: " + (summary.HasPassed ? "ACCOMPLISHED" : "FAILED"));
+        foreach (string failure in summary.Failures)
+            output.WriteLine("  failed: " + failure);
+        output.WriteLine(string.Format(
+            CultureInfo.InvariantCulture, "{0} from the first take-off to the last landing, {1:0.0} % of the area seen",
+            FlightText.Clock(summary.FlightTime), summary.Coverage * 100));
+        output.WriteLine(string.Format(
+            CultureInfo.InvariantCulture, "{0} of {1} targets found, {2} false; {3:0.0} m RMS", summary.Score.Found,
+            summary.Score.Targets.Count, summary.Score.FalseTracks.Count, summary.Score.RmseMetres));
+        for (int i = 0; i < count; i++)
+            output.WriteLine(Of(summary, i));
+    }
+
+    /// <summary>Two vehicles that came too near to each other.</summary>
+    public static string Of(Separation pair) => string.Format(
+        CultureInfo.InvariantCulture, "vehicles {0} and {1} were {2:0.0} m apart over ground and {3:0.0} m in height at {4}",
+        pair.First + 1, pair.Second + 1, pair.HorizontalMetres, pair.VerticalMetres, FlightText.Clock(pair.Time));
+
+    private static string Of(GroupSummary summary, int vehicle)
+    {
+        MissionSummary mission = summary.Vehicles[vehicle].Mission!;
+        RadioCounters radio = summary.Group.RadioOf(vehicle);
+        return string.Format(
+            CultureInfo.InvariantCulture,
+            "vehicle {0}: {1}, {2} lanes flown, {3:0} m in {4}, {5:0} % of the battery; radio {6} frames, {7:0.00} kbit/s",
+            vehicle + 1, FlightText.Phase(mission.Phase), mission.LanesFlown, mission.FlownMetres,
+            FlightText.Clock(mission.FlightTime), mission.BatteryUsedPercent, radio.FramesSent,
+            radio.BytesSent * 8 / 1000.0 / summary.Group.Now.TotalSeconds);
+    }
+}
