@@ -162,6 +162,16 @@ internal static class ManagerOptions
             Class = VehicleMessageClass.Bulk,
             Lifetime = TimeSpan.FromSeconds(20),
         },
+        new VehicleMessageRoute<ValidationTask>(
+            new ValidationTaskCodec(), MessageNames.OutgoingValidationTasks, MessageNames.ValidationTasks)
+        {
+            Lifetime = TimeSpan.FromSeconds(1),
+        },
+        new VehicleMessageRoute<ValidationBid>(
+            new ValidationBidCodec(), MessageNames.OutgoingValidationBids, MessageNames.ValidationBids)
+        {
+            Lifetime = TimeSpan.FromSeconds(1),
+        },
     ];
 
     /// <summary>The settings of the links by their numbers: live ones first, then logs; a URL says more.</summary>

@@ -4,17 +4,28 @@ namespace Rabit.Uav.Messages;
 
 /// <summary>
 /// The group that searches an area together, as one vehicle of it knows it. Posted by Mission Control once a second
-/// where the vehicle is in a group. A plain value; the members are immutable, and copies share them.
+/// where the vehicle is in a group. A plain value; the lists are immutable, and copies share them.
 /// </summary>
 public struct GroupStatus
 {
     private ImmutableArray<GroupMember> _members;
+    private ImmutableArray<ValidationTask> _validations;
 
     /// <summary>The others, in the order of their system ids; also those that are received no more.</summary>
     public ImmutableArray<GroupMember> Members
     {
         readonly get => _members.IsDefault ? [] : _members;
         set => _members = value;
+    }
+
+    /// <summary>
+    /// The targets that were announced for validation by a second vehicle, ours first. Where two vehicles announced
+    /// one target, one of the two is closed without a result.
+    /// </summary>
+    public ImmutableArray<ValidationTask> Validations
+    {
+        readonly get => _validations.IsDefault ? [] : _validations;
+        set => _validations = value;
     }
 
     /// <summary>MAVLink system id of the vehicle that divided the lanes; 0 for none yet.</summary>

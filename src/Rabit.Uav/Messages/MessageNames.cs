@@ -130,6 +130,28 @@ public static class MessageNames
     public const string OutgoingLaneCoverages = "outgoing lane coverages";
 
     /// <summary>
+    /// Queue of <see cref="Envelope{T}"/> of <see cref="ValidationTask"/>: of other vehicles, from Communications to
+    /// Mission Control.
+    /// </summary>
+    public const string ValidationTasks = "validation tasks";
+
+    /// <summary>
+    /// Queue of <see cref="Envelope{T}"/> of <see cref="ValidationTask"/>: from Mission Control to Communications.
+    /// </summary>
+    public const string OutgoingValidationTasks = "outgoing validation tasks";
+
+    /// <summary>
+    /// Queue of <see cref="Envelope{T}"/> of <see cref="ValidationBid"/>: of other vehicles, from Communications to
+    /// Mission Control.
+    /// </summary>
+    public const string ValidationBids = "validation bids";
+
+    /// <summary>
+    /// Queue of <see cref="Envelope{T}"/> of <see cref="ValidationBid"/>: from Mission Control to Communications.
+    /// </summary>
+    public const string OutgoingValidationBids = "outgoing validation bids";
+
+    /// <summary>
     /// Queue of <see cref="CameraObservation"/>: searched pictures with their reports, from Image Processing to Sensor
     /// Fusion.
     /// </summary>

@@ -21,6 +21,10 @@ public sealed partial class MissionControlManager
         private readonly QueueSender<Envelope<GroupReport>> _outgoingReports;
         private readonly QueueSender<Envelope<LaneDivision>> _outgoingDivisions;
         private readonly QueueSender<Envelope<LaneCoverage>> _outgoingCoverages;
+        private readonly QueueReceiver<Envelope<ValidationTask>> _tasks;
+        private readonly QueueReceiver<Envelope<ValidationBid>> _bids;
+        private readonly QueueSender<Envelope<ValidationTask>> _outgoingTasks;
+        private readonly QueueSender<Envelope<ValidationBid>> _outgoingBids;
         private readonly MessagePublisher<GroupStatus> _status;
         private readonly MissionGroup _group;
         private TimeSpan? _reported;
@@ -37,6 +41,12 @@ public sealed partial class MissionControlManager
             _outgoingReports = manager.Send<Envelope<GroupReport>>(MessageNames.OutgoingGroupReports);
             _outgoingDivisions = manager.Send<Envelope<LaneDivision>>(MessageNames.OutgoingLaneDivisions);
             _outgoingCoverages = manager.Send<Envelope<LaneCoverage>>(MessageNames.OutgoingLaneCoverages);
+            _tasks = manager.Receive<Envelope<ValidationTask>>(
+                MessageNames.ValidationTasks, whenFull: QueueFullMode.DropOldest, wakeOnPush: false);
+            _bids = manager.Receive<Envelope<ValidationBid>>(
+                MessageNames.ValidationBids, whenFull: QueueFullMode.DropOldest, wakeOnPush: false);
+            _outgoingTasks = manager.Send<Envelope<ValidationTask>>(MessageNames.OutgoingValidationTasks);
+            _outgoingBids = manager.Send<Envelope<ValidationBid>>(MessageNames.OutgoingValidationBids);
             _status = manager.Publish<GroupStatus>(MessageNames.Group);
             (_group, group.Sender) = (group, this);
         }
@@ -51,7 +61,14 @@ public sealed partial class MissionControlManager
                 _group.Receive(flight, division);
             while (_coverages.TryPop(out Envelope<LaneCoverage> coverage))
                 _group.Receive(flight, coverage);
+            while (_tasks.TryPop(out Envelope<ValidationTask> task))
+                _group.Receive(flight, task);
+            while (_bids.TryPop(out Envelope<ValidationBid> bid))
+                _group.Receive(flight, bid);
         }
+
+        /// <summary>The run: another one begins the numbers of its targets anew.</summary>
+        public void Begin(DateTimeOffset utc) => _group.BeginValidation((ushort)(utc.Ticks / TimeSpan.TicksPerSecond));
 
         public void Update(MissionFlight flight, MissionPhase phase) => _group.Update(flight, phase);
 
@@ -75,5 +92,11 @@ public sealed partial class MissionControlManager
 
         public void Send(in LaneCoverage coverage)
             => _ = _outgoingCoverages.Push(new Envelope<LaneCoverage> { Content = coverage });
+
+        public void Send(in ValidationTask task)
+            => _ = _outgoingTasks.Push(new Envelope<ValidationTask> { Content = task });
+
+        public void Send(in ValidationBid bid, byte finder) => _ = _outgoingBids.Push(
+            new Envelope<ValidationBid> { Content = bid, Destination = VehicleDestination.Vehicle(finder) });
     }
 }

@@ -94,6 +94,7 @@ public sealed partial class MissionControlManager : RabitManager, IMissionOperat
     /// </summary>
     protected override void Startup()
     {
+        _group?.Begin(Clock.GetUtcNow());
         if (_flight is not null)
             FlightPlan.Create(_flight.Mission, _flight.Mission.Area[0], out _, isQuick: true);
     }
@@ -158,7 +159,11 @@ public sealed partial class MissionControlManager : RabitManager, IMissionOperat
         while (_results.TryPop(out VehicleCommandResult result))
             flight.Commands.Apply(result, flight.Now);
         while (_searchedGround.TryPop(out CameraObservation observation))
+        {
             flight.Route?.Mark(observation);
+            flight.Group?.Look(observation);
+        }
+
         if (!_tracks.Fetch())
             return;
         flight.Tracks = _tracks.Value;

@@ -55,13 +55,14 @@ internal sealed class Revisits
 
     /// <summary>
     /// The nearest target that is to be revisited now; null when there is none. Between two lanes that is each that no
-    /// later lane passes with much less way; on a lane, one beside it to which the way from its end is much longer.
+    /// later lane passes with much less way; on a lane, one beside it to which the way from its end is much longer. None
+    /// while others of a group can validate it.
     /// </summary>
     /// <param name="flight">The state of the mission.</param>
     /// <param name="isOnLane">Whether a lane is being flown.</param>
     public TargetTrack? Next(MissionFlight flight, bool isOnLane)
     {
-        if (!flight.Mission.Revisit.IsEnabled || flight.IsFixedWing)
+        if (!flight.Mission.Revisit.IsEnabled || flight.IsFixedWing || flight.Group?.HasOthers(flight) == true)
             return null;
         PlanePoint here = flight.Position;
         while (NearestPending(flight, here, isOnLane) is { } track)
@@ -90,7 +91,7 @@ internal sealed class Revisits
         foreach (TargetTrack track in flight.Tracks.Tracks)
         {
             if (track.State != TrackState.Confirmed || _finished.Contains(track.Id)
-                || !flight.Mission.IsTarget(track.Class))
+                || !flight.Mission.IsTarget(track.Class) || flight.Group?.IsValidated(flight, track) == true)
                 continue;
             PlanePoint target = PositionOf(track, flight);
             double distance = target.DistanceTo(here);

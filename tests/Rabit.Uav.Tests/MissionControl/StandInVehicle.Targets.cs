@@ -25,6 +25,7 @@ internal sealed partial class StandInVehicle
             TopRight = Corner(0.45, 0.6),
             BottomRight = Corner(-0.45, 0.6),
             BottomLeft = Corner(-0.45, -0.6),
+            Reports = [.. Enumerable.Range(0, Targets.Count).Where(IsSeen).Select(ReportOf)],
         };
         Observations.Add(observation);
         _searched.Push(observation);
@@ -42,14 +43,11 @@ internal sealed partial class StandInVehicle
     private void SeeTargets()
     {
         bool isNews = false;
-        double height = Height - Ground(North, East);
         for (int i = 0; i < Targets.Count; i++)
         {
-            (double n, double e, TargetClassName colour) = Targets[i];
-            double forward = ((n - North) * Math.Cos(Yaw)) + ((e - East) * Math.Sin(Yaw));
-            double right = ((e - East) * Math.Cos(Yaw)) - ((n - North) * Math.Sin(Yaw));
-            if (Math.Abs(forward) > 0.45 * height || Math.Abs(right) > 0.6 * height)
+            if (!IsSeen(i))
                 continue;
+            (double n, double e, TargetClassName colour) = Targets[i];
             isNews = true;
             int at = Tracks.FindIndex(t => t.Id == i + 1);
             int reports = at < 0 ? 1 : Tracks[at].Reports + 1;
@@ -64,6 +62,23 @@ internal sealed partial class StandInVehicle
             PostTracks();
     }
 
+    private bool IsSeen(int target)
+    {
+        (double n, double e, _) = Targets[target];
+        double height = Height - Ground(North, East);
+        double forward = ((n - North) * Math.Cos(Yaw)) + ((e - East) * Math.Sin(Yaw));
+        double right = ((e - East) * Math.Cos(Yaw)) - ((n - North) * Math.Sin(Yaw));
+        return Math.Abs(forward) <= 0.45 * height && Math.Abs(right) <= 0.6 * height;
+    }
+
+    private TargetReport ReportOf(int target) => new()
+    {
+        Class = Targets[target].Colour,
+        Position = _frame.ToGeodetic(new NedPosition(Targets[target].North, Targets[target].East, 0)),
+        PictureNumber = _picture,
+        Index = target,
+    };
+
     public TargetTrack MakeTrack(
         int id, double n, double e, TargetClassName colour, int reports, TrackState? state = null)
         => new()
@@ -76,6 +91,7 @@ internal sealed partial class StandInVehicle
             Covariance = new HorizontalCovariance(1, 0, 1),
             Time = Now,
             Reports = reports,
+            BestPictureNumber = _picture,
         };
 
     private void Decide(TrackDecision decision)

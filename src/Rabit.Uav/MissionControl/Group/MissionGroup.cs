@@ -11,7 +11,7 @@ namespace Rabit.Uav.MissionControl;
 /// The part of a vehicle in a group that searches one area: reports, flies the lanes that are its share, and shares
 /// what was seen. Works without a leader, and without the others: alone it has all lanes. One thread.
 /// </summary>
-internal sealed class MissionGroup(GroupOptions options, Action<string> log)
+internal sealed partial class MissionGroup(GroupOptions options, Action<string> log)
 {
     /// <summary>Landing places are at least so far apart, metres.</summary>
     public const double MinLandingDistanceMetres = 10;
@@ -32,6 +32,7 @@ internal sealed class MissionGroup(GroupOptions options, Action<string> log)
     private LaneShare _share;
     private TimeSpan? _doneSince;
     private GroupReport _own;
+    private int _seenCells;
 
     /// <summary>Our MAVLink system id; 0 while it is not known: nothing is sent or divided then.</summary>
     public byte SystemId { get; set; }
@@ -58,7 +59,8 @@ internal sealed class MissionGroup(GroupOptions options, Action<string> log)
         OwnShare = _division.ShareOf(SystemId),
         OwnMetresLeft = _own.MetresLeft,
         Lanes = Lanes?.Lanes.Count ?? 0,
-        Refused = _members.Refused + _division.Refused + _coverage.Refused,
+        Validations = _validation?.TasksOf(SystemId).ToImmutableArray() ?? [],
+        Refused = _members.Refused + _division.Refused + _coverage.Refused + (_validation?.Refused ?? 0),
     };
 
     public void Receive(MissionFlight flight, in Envelope<GroupReport> envelope)
@@ -95,12 +97,25 @@ internal sealed class MissionGroup(GroupOptions options, Action<string> log)
                 Sender?.Send(DivisionOf(lanes));
             if (phase != MissionPhase.Searching)
                 TakeShare(flight);
+            UpdateValidation(flight, present);
             if (_coverage.Update(lanes, flight.Route!.Coverage, flight.Now, present.Length > 0) is { } seen)
                 Sender?.Send(seen);
         }
 
         _log.Update(present.Select(m => m.SystemId), _members.All.Select(m => m.SystemId));
         Sender?.Report(_own, flight.Now);
+    }
+
+    /// <summary>
+    /// Before a lane, or between two: our share, and of it what others have not seen meanwhile.
+    /// </summary>
+    public void BeginLeg(MissionFlight flight)
+    {
+        TakeShare(flight);
+        if (flight.Route is not { Current: not null } route || route.Coverage.SeenCells == _seenCells)
+            return;
+        _seenCells = route.Coverage.SeenCells;
+        route.LeaveOutSeen(flight.OverlapMetres);
     }
 
     /// <summary>What is left to fly becomes our share, where that has changed; not while a lane is flown.</summary>
@@ -127,15 +142,21 @@ internal sealed class MissionGroup(GroupOptions options, Action<string> log)
     public bool IsOurs(PlanePoint place)
         => _share.SystemId == 0 || Lanes?.IsBeside(_share, place, marginMetres: 1) != false;
 
-    /// <summary>Our lanes are flown: whether we wait for lanes of others; null where we do not.</summary>
+    /// <summary>
+    /// Our lanes are flown: whether we wait for lanes or targets of others; null where we do not.
+    /// </summary>
     public string? FindWait(MissionFlight flight)
     {
         _doneSince ??= flight.Now;
+        if (flight.Now - _doneSince.Value > options.MaxWait)
+            return null;
         int busy = _members.Present(flight.Now)
             .Count(m => m.Report.State == GroupMemberState.Available && m.Report.MetresLeft > 0);
-        return busy == 0 || flight.Now - _doneSince.Value > options.MaxWait
-            ? null
-            : $"our lanes are flown; {MissionNumbers.Of(busy)} other vehicles are still searching";
+        return busy > 0
+            ? $"our lanes are flown; of the others {MissionNumbers.Of(busy)} are still searching"
+            : HasOthers(flight) && _validation?.IsPending == true
+                ? "our lanes are flown; targets are still being validated"
+                : null;
     }
 
     /// <summary>What of the others is in the way of a take-off; null where nothing is.</summary>

@@ -16,6 +16,7 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
 
     private readonly TransitPath _transit = new();
     private OperatorRequest? _order; // null for a revisit of our own
+    private ValidationLook? _look; // null but for a target of another vehicle, which we validate
     private int _track; // 0 for a place
     private double _speed;
     private int _reportsBefore;
@@ -33,10 +34,12 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
         _overhead = null;
         _begun = flight.ActiveTime;
         _order = by == MissionEvent.OperatorRevisit ? flight.Ordered : null;
-        TargetTrack? track = _order is null ? flight.Revisits.Chosen(flight) : Revisits.Find(flight, _order.TrackId);
+        _look = _order is null ? flight.Group?.CurrentLook : null;
+        TargetTrack? track = _look is not null ? null
+            : _order is null ? flight.Revisits.Chosen(flight) : Revisits.Find(flight, _order.TrackId);
         (_track, _reportsBefore) = (track?.Id ?? 0, track?.Reports ?? 0);
-        PlanePoint target = track is null
-            ? OperatorFaults.PlaceOf(flight.Plan!, _order!.Place)
+        PlanePoint target = _look is { } look ? look.Place
+            : track is null ? OperatorFaults.PlaceOf(flight.Plan!, _order!.Place)
             : Revisits.PositionOf(track, flight);
         _pass = RevisitPass.Plan(flight, target)!;
         _isAtStart = _isThrough = !_pass.IsThrough;
@@ -51,14 +54,15 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
             return ReturnToLaunch(flight.Commands.LastFailure);
         _limit += PathFollower.MoreTime(flight, ref _speed);
         TargetTrack? track = Revisits.Find(flight, _track);
-        bool isWanted = track?.State == TrackState.Confirmed
+        bool isWanted = _look is not null ? ReferenceEquals(flight.Group!.CurrentLook, _look)
+            : track?.State == TrackState.Confirmed
             || (_order is not null && (_track == 0 || track is { State: not TrackState.Rejected }));
         if (!isWanted)
             return Finish(flight, wasObserved: _overhead is not null, "no longer confirmed");
         if (inPhase > _limit)
             return Finish(flight, wasObserved: false, "not reached in time");
-        flight.Text = track is null
-            ? "revisiting a place"
+        flight.Text = _look is not null ? $"validating {MissionGroup.Name(_look.Task)}"
+            : track is null ? "revisiting a place"
             : $"revisiting track {MissionNumbers.Of(_track)}, {Revisits.Name(track)}";
         return Fly(flight, track);
     }
@@ -83,7 +87,7 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
         _overhead ??= flight.ActiveTime;
         TimeSpan held = flight.ActiveTime - _overhead.Value;
         int reports = (track?.Reports ?? 0) - _reportsBefore;
-        bool isEnough = held >= MinHold && reports >= MinReports;
+        bool isEnough = held >= MinHold && (_look?.IsEnough ?? (reports >= MinReports));
         return isEnough || held >= MaxHold
             ? Finish(flight, wasObserved: reports > 0, track is null ? "flown over" : Accuracy(track, reports))
             : MissionStep.Stay;
@@ -103,6 +107,12 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
 
     private MissionStep Finish(MissionFlight flight, bool wasObserved, string text)
     {
+        if (_look is { } look)
+        {
+            string seen = flight.Group!.FinishValidation(flight, look, look.Result);
+            return new MissionStep(MissionEvent.Revisited, seen);
+        }
+
         if (_track == 0)
             return new MissionStep(MissionEvent.Revisited, "place: " + text);
         flight.Revisits.Finish(_track, wasObserved, flight.ActiveTime - _begun);

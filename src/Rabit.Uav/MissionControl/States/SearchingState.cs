@@ -53,8 +53,13 @@ internal sealed class SearchingState : MissionState
 
         if (!ReferenceEquals(_route, flight.Route))
             (_route, _isOnLane) = (flight.Route, false);
-        if (!_isOnLane)
-            flight.Group?.TakeShare(flight);
+        if (!_isOnLane && flight.Group is { } group)
+        {
+            group.BeginLeg(flight);
+            if (group.NextValidation(flight) is { } validation)
+                return new MissionStep(MissionEvent.TargetFound, validation);
+        }
+
         if (flight.IsFixedWing && flight.Commands.Failures > 0)
             return new MissionStep(MissionEvent.Hold, "the leg was not accepted: " + flight.Commands.LastFailure);
         if (flight.Commands.Failures >= MaxFailures)

@@ -108,16 +108,18 @@ internal sealed class GroupRig : IDisposable
 
     private sealed class RadioEnd(byte systemId)
     {
+        private readonly List<IChannel> _channels = [];
         private RabitReactor _reactor = null!;
         private MessageSubscriber<GroupStatus> _status = null!;
-        private QueueReceiver<Envelope<GroupReport>> _reports = null!;
-        private QueueReceiver<Envelope<LaneDivision>> _divisions = null!;
-        private QueueReceiver<Envelope<LaneCoverage>> _coverages = null!;
-        private QueueSender<Envelope<GroupReport>> _toReports = null!;
-        private QueueSender<Envelope<LaneDivision>> _toDivisions = null!;
-        private QueueSender<Envelope<LaneCoverage>> _toCoverages = null!;
         private MessagePublisher<OwnAddress> _address = null!;
         private bool _hasAddress;
+
+        private interface IChannel
+        {
+            void Deliver(RadioEnd from, int number, RadioEnd[] to, Func<bool> isLost);
+        }
+
+        public byte SystemId => systemId;
 
         public GroupStatus Status
         {
@@ -133,13 +135,12 @@ internal sealed class GroupRig : IDisposable
             _reactor = reactor;
             RabitWorkspace workspace = reactor.Workspace;
             _status = workspace.Subscribe<GroupStatus>(MessageNames.Group);
-            _reports = workspace.Receive<Envelope<GroupReport>>(MessageNames.OutgoingGroupReports);
-            _divisions = workspace.Receive<Envelope<LaneDivision>>(MessageNames.OutgoingLaneDivisions);
-            _coverages = workspace.Receive<Envelope<LaneCoverage>>(MessageNames.OutgoingLaneCoverages);
-            _toReports = workspace.Send<Envelope<GroupReport>>(MessageNames.GroupReports);
-            _toDivisions = workspace.Send<Envelope<LaneDivision>>(MessageNames.LaneDivisions);
-            _toCoverages = workspace.Send<Envelope<LaneCoverage>>(MessageNames.LaneCoverages);
             _address = workspace.Publish<OwnAddress>(MessageNames.OwnAddress);
+            Add<GroupReport>(workspace, MessageNames.OutgoingGroupReports, MessageNames.GroupReports);
+            Add<LaneDivision>(workspace, MessageNames.OutgoingLaneDivisions, MessageNames.LaneDivisions);
+            Add<LaneCoverage>(workspace, MessageNames.OutgoingLaneCoverages, MessageNames.LaneCoverages);
+            Add<ValidationTask>(workspace, MessageNames.OutgoingValidationTasks, MessageNames.ValidationTasks);
+            Add<ValidationBid>(workspace, MessageNames.OutgoingValidationBids, MessageNames.ValidationBids);
         }
 
         public void Deliver(IEnumerable<RadioEnd> others, Func<bool> isLost)
@@ -152,23 +153,44 @@ internal sealed class GroupRig : IDisposable
             }
 
             RadioEnd[] to = others.ToArray();
-            while (_reports.TryPop(out Envelope<GroupReport> report))
-                Send(report, to, isLost, end => end._toReports);
-            while (_divisions.TryPop(out Envelope<LaneDivision> division))
-                Send(division, to, isLost, end => end._toDivisions);
-            while (_coverages.TryPop(out Envelope<LaneCoverage> coverage))
-                Send(coverage, to, isLost, end => end._toCoverages);
+            for (int i = 0; i < _channels.Count; i++)
+                _channels[i].Deliver(this, i, to, isLost);
         }
 
-        private void Send<T>(
-            Envelope<T> message, RadioEnd[] to, Func<bool> isLost, Func<RadioEnd, QueueSender<Envelope<T>>> queueOf)
+        private void Add<T>(RabitWorkspace workspace, string outgoing, string incoming)
+            => _channels.Add(new Channel<T>(
+                workspace.Receive<Envelope<T>>(outgoing), workspace.Send<Envelope<T>>(incoming)));
+
+        private sealed class Channel<T>(QueueReceiver<Envelope<T>> outgoing, QueueSender<Envelope<T>> incoming) : IChannel
         {
-            message.SourceSystemId = systemId;
-            foreach (RadioEnd end in to)
+            public void Deliver(RadioEnd from, int number, RadioEnd[] to, Func<bool> isLost)
             {
-                message.SentTime = end._reactor.Now;
-                if (!isLost())
-                    Xunit.Assert.NotEqual(PushResult.Rejected, queueOf(end).Push(message));
+                while (outgoing.TryPop(out Envelope<T> message))
+                {
+                    message.SourceSystemId = from.SystemId;
+                    foreach (RadioEnd end in to)
+                    {
+                        bool isFor = message.Destination == VehicleDestination.All
+                            || message.Destination == VehicleDestination.Vehicle(end.SystemId);
+                        if (!isFor || isLost())
+                            continue;
+                        message.SentTime = end._reactor.Now;
+                        ((Channel<T>)end._channels[number]).Take(message, from.SystemId);
+                    }
+                }
+            }
+
+            private void Take(Envelope<T> message, byte source)
+            {
+                // The codec fills in who found it.
+                if (message is Envelope<ValidationTask> { Content: var task } tasks)
+                {
+                    task.Finder = source;
+                    tasks.Content = task;
+                    message = (Envelope<T>)(object)tasks;
+                }
+
+                Xunit.Assert.NotEqual(PushResult.Rejected, incoming.Push(message));
             }
         }
     }

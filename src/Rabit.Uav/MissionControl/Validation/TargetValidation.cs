@@ -1,0 +1,124 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Geodesy;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.MissionControl;
+
+/// <summary>
+/// The validation of targets by a second vehicle: what we found is announced to the others, and what they found is
+/// flown over where it is awarded to us. Where two vehicles announce one target, one of the tasks is kept. One thread.
+/// </summary>
+internal sealed class TargetValidation(ushort session, IValidationSender sender, Action<string> log)
+{
+    // Beside the uncertainties that both tasks state.
+    private const double SameMetres = 3;
+
+    private readonly ValidationFinder _finder = new(session, sender, log);
+    private readonly ValidationBidder _bidder = new(sender);
+    private readonly List<TargetTrack> _own = [];
+
+    /// <summary>Messages that were refused.</summary>
+    public long Refused => _finder.Refused + _bidder.Refused;
+
+    /// <summary>All tasks that are known, ours with our system id; those of the same target are all there.</summary>
+    public IEnumerable<ValidationTask> TasksOf(byte ownSystemId)
+        => _finder.Tasks.Select(t => t with { Finder = ownSystemId }).Concat(_bidder.Tasks);
+
+    /// <summary>Whether a target is not validated yet, ours or another vehicle's.</summary>
+    public bool IsPending => _finder.IsPending || _bidder.Tasks.Any(t => t.State != ValidationState.Closed);
+
+    /// <summary>What is to be flown over now; null while there is nothing, and while it is flown over.</summary>
+    public ValidationTask? Next => Look is null ? _bidder.Next : null;
+
+    /// <summary>How many are to be flown over.</summary>
+    public int Waiting => _bidder.Waiting;
+
+    /// <summary>What is flown over; null for nothing.</summary>
+    public ValidationLook? Look { get; private set; }
+
+    /// <summary>Whether a track of ours was validated, with a result.</summary>
+    public bool IsValidated(TargetTrack track, LocalNedFrame frame)
+        => _finder.Find(track.Id) is { State: ValidationState.Closed, Result: not ValidationResult.Unknown }
+            || _bidder.Tasks.Any(
+                t => t.State == ValidationState.Closed && t.Result != ValidationResult.Unknown
+                    && AreSame(TaskOf(track), t, frame));
+
+    public void Receive(
+        in ValidationTask task, byte ownSystemId, Func<ValidationTask, double?> secondsTo, TimeSpan now)
+        => _bidder.Receive(task, ownSystemId, secondsTo, now);
+
+    public void Receive(byte source, in ValidationBid bid, TimeSpan now) => _finder.Receive(source, bid, now);
+
+    /// <summary>In each tick.</summary>
+    /// <param name="flight">The state of the mission; with a plan.</param>
+    /// <param name="ownSystemId">Ours.</param>
+    /// <param name="present">The system ids of the others that can validate.</param>
+    public void Update(MissionFlight flight, byte ownSystemId, IReadOnlyCollection<byte> present)
+    {
+        LocalNedFrame frame = flight.Plan!.Frame;
+        _own.Clear();
+        foreach (TargetTrack track in flight.Tracks.Tracks)
+        {
+            // A picture of our own; a track of another vehicle's reports alone is that vehicle's to announce.
+            bool isOurs = track.State == TrackState.Confirmed && track.BestPictureNumber >= 0
+                && track.Motion == TargetMotion.Standing && flight.Mission.IsTarget(track.Class);
+            if (isOurs)
+                _own.Add(track);
+        }
+
+        foreach (TargetTrack track in _own)
+        {
+            ValidationTask target = TaskOf(track);
+            if (_bidder.Tasks.Any(t => IsInstead(t, ownSystemId) && AreSame(target, t, frame)))
+                _finder.Withdraw(track.Id, flight.Now);
+            else if (_finder.Find(track.Id) is null
+                && !_bidder.Tasks.Any(t => IsKept(t) && AreSame(target, t, frame)))
+                _finder.Announce(track.Id, target);
+        }
+
+        _finder.Update(present, flight.Now);
+        _bidder.Update(flight.Now);
+        if (Look is { } look && !_bidder.IsOurs(look.Task))
+            Look = null;
+    }
+
+    /// <summary>Begins to look at <see cref="Next"/>.</summary>
+    public void Begin(ValidationTask task, LocalNedFrame frame) => Look = new ValidationLook(task, frame);
+
+    /// <summary>Ends the look.</summary>
+    public void Finish(ValidationTask task, ValidationResult result, TimeSpan now)
+    {
+        _bidder.Finish(task, result, now);
+        Look = null;
+    }
+
+    /// <summary>We cannot fly over anything any more.</summary>
+    public void DeclineAll(TimeSpan now)
+    {
+        _bidder.DeclineAll(now);
+        Look = null;
+    }
+
+    // A task that was withdrawn has no result.
+    private static bool IsKept(in ValidationTask task)
+        => task.State != ValidationState.Closed || task.Result != ValidationResult.Unknown;
+
+    // Who is further keeps it, then who has the lower system id.
+    private static bool IsInstead(in ValidationTask task, byte ownSystemId)
+        => IsKept(task) && (task.State != ValidationState.Open || task.Finder < ownSystemId);
+
+    private static ValidationTask TaskOf(TargetTrack track) => new()
+    {
+        Class = track.Class,
+        MarkerId = track.MarkerId,
+        Position = track.Position,
+        RadiusMetres = track.Covariance.HalfMajorAxis95Metres,
+    };
+
+    private static bool AreSame(in ValidationTask a, in ValidationTask b, LocalNedFrame frame)
+        => a.Class == b.Class && a.MarkerId == b.MarkerId
+            && ValidationLook.PlaceOf(frame, a.Position).DistanceTo(ValidationLook.PlaceOf(frame, b.Position))
+                <= a.RadiusMetres + b.RadiusMetres + SameMetres;
+}

@@ -1,0 +1,110 @@
+using System.Collections.Generic;
+using System.Collections.Immutable;
+using System.Linq;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+using Xunit;
+
+namespace Rabit.Uav.Tests.MissionControl.Group;
+
+/// <summary>Targets that one vehicle finds are validated by one other.</summary>
+public sealed class GroupValidationTests
+{
+    private const string Field = "[[60,-180],[60,180],[360,180],[360,-180]]";
+
+    [Fact]
+    public void Target_FoundByOne_IsConfirmedByOneOther()
+    {
+        using GroupRig rig = Open(3);
+        Assert.True(rig.RunToEnd(), rig.Story);
+        ValidationTask task = Assert.Single(Validated(rig));
+        Assert.Equal(ValidationResult.Confirmed, task.Result);
+        Assert.NotEqual(task.Finder, task.Validator);
+        Assert.Equal(1, rig.Rigs.Sum(r => r.Decisions.Count(d => d.Contains("Searching -> Revisiting"))));
+        Assert.All(rig.Rigs, r => Assert.Equal(MissionOutcome.Accomplished, r.Status.Result.Outcome));
+    }
+
+    [Fact]
+    public void Target_OnlyTheFinderSeesIt_IsRejected()
+    {
+        using GroupRig rig = Open(2, targets: 0);
+        rig.Rigs[0].Vehicle.Targets.Add((100, 0, DefaultTargetClasses.Red));
+        rig.Rigs[0].Vehicle.Targets.Add((300, 0, DefaultTargetClasses.Red));
+        Assert.True(rig.RunToEnd(), rig.Story);
+        List<ValidationTask> tasks = Validated(rig);
+        Assert.NotEmpty(tasks);
+        Assert.All(tasks, t => Assert.Equal((1, 2, ValidationResult.Rejected), (t.Finder, t.Validator, t.Result)));
+    }
+
+    [Fact]
+    public void Target_FoundAlone_IsRevisitedByTheFinder()
+    {
+        using GroupRig rig = Open(1);
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.Equal(1, rig.Rigs[0].Status.Revisits);
+        Assert.Empty(Validated(rig));
+    }
+
+    [Fact]
+    public void Target_ValidatorIsLost_IsValidatedByTheThird()
+    {
+        using GroupRig rig = Open(3);
+        Assert.True(rig.RunUntil(() => Validating(rig).Any(), 600), rig.Story);
+        int validator = Validating(rig).Single();
+        rig.Lost.Add(validator);
+        Assert.True(rig.RunToEnd(), rig.Story);
+        ValidationTask task = Assert.Single(Validated(rig));
+        Assert.NotEqual(validator + 1, task.Validator);
+        Assert.NotEqual(task.Finder, task.Validator);
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    public void Targets_FortyPercentLost_EachIsValidatedByOneOther(int seed)
+    {
+        using GroupRig rig = Open(3, seed, targets: 3);
+        rig.Loss = 0.4;
+        Assert.True(rig.RunToEnd(), rig.Story);
+        List<ValidationTask> tasks = Validated(rig);
+        Assert.True(tasks.Count == 3, $"{tasks.Count} {rig.Story}");
+        Assert.All(tasks, t => Assert.Equal(ValidationResult.Confirmed, t.Result));
+    }
+
+    [Fact]
+    public void Validator_HoldsMeanwhile_GivesTheTargetBack()
+    {
+        using GroupRig rig = Open(3);
+        Assert.True(rig.RunUntil(() => Validating(rig).Any(), 600), rig.Story);
+        int validator = Validating(rig).Single();
+        rig.Rigs[validator].Vehicle.Health = new HealthReport
+        {
+            Level = HealthLevel.Warning, Advice = HealthAdvice.Hold, AdviceText = "pictures",
+        };
+        Assert.True(rig.RunUntil(() => Validating(rig).Any(v => v != validator), 90), rig.Story);
+    }
+
+    private static IEnumerable<int> Validating(GroupRig rig) => Enumerable.Range(0, rig.Rigs.Count)
+        .Where(i => !rig.Lost.Contains(i) && rig.Rigs[i].Status.Text?.StartsWith("validating", System.StringComparison.Ordinal) == true);
+
+    private static List<ValidationTask> Validated(GroupRig rig)
+    {
+        IEnumerable<ImmutableArray<ValidationTask>> known = rig.Rigs.Select((_, i) => rig.StatusOf(i).Validations);
+        return known.SelectMany(t => t).Where(t => t.Result != ValidationResult.Unknown)
+            .GroupBy(t => (t.Finder, t.Session, t.Number)).Select(g => g.First()).ToList();
+    }
+
+    // The homes are 20 m apart.
+    private static GroupRig Open(int vehicles, int seed = 1, int targets = 1)
+    {
+        var rig = new GroupRig(vehicles, MissionRig.Mission(area: Field), seed);
+        for (int i = 0; i < vehicles * targets; i++)
+        {
+            (int vehicle, int target) = (i % vehicles, i / vehicles);
+            rig.Rigs[vehicle].Vehicle.Targets.Add((200 - (60 * target), 20 - (20 * vehicle), DefaultTargetClasses.Red));
+        }
+
+        return rig;
+    }
+}

@@ -1,0 +1,178 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Geodesy;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+
+namespace Rabit.Uav.Tests.MissionControl.Group;
+
+/// <summary>
+/// Finders and bidders of some vehicles, and a network that loses, delays and doubles what they send. A job takes 20 s.
+/// Vehicle 1 finds the targets.
+/// </summary>
+internal sealed class ValidationNetwork
+{
+    public const double JobSeconds = 20;
+    private const double Step = 0.1;
+
+    private readonly List<Node> _nodes = [];
+    private readonly List<(double Due, int To, Action<Node> Deliver)> _onTheWay = [];
+    private readonly Random _random;
+
+    public ValidationNetwork(int vehicles, int seed)
+    {
+        (Seed, _random) = (seed, new Random(seed));
+        for (int i = 0; i < vehicles; i++)
+            _nodes.Add(new Node(this, i, session: 1));
+    }
+
+    public int Seed { get; }
+
+    public double Seconds { get; private set; }
+
+    public double Loss { get; set; }
+
+    public double MaxDelaySeconds { get; set; } = 0.1;
+
+    public double Duplicates { get; set; }
+
+    public Func<int, int, bool> Reaches { get; set; } = (_, _) => true;
+
+    /// <summary>How long each vehicle says it takes to get there; null where it declines.</summary>
+    public Func<int, double?> SecondsTo { get; set; } = i => 10 + i;
+
+    /// <summary>What a vehicle's pictures show.</summary>
+    public ValidationResult Shown { get; set; } = ValidationResult.Confirmed;
+
+    public HashSet<int> Lost { get; } = [];
+
+    /// <summary>How many messages were sent.</summary>
+    public int Sent { get; private set; }
+
+    /// <summary>Who has finished, in order.</summary>
+    public List<int> Finished { get; } = [];
+
+    public ValidationTask Task => _nodes[0].Finder.Find(1)!.Value;
+
+    public ValidationFinder Finder => _nodes[0].Finder;
+
+    public ValidationBidder BidderOf(int vehicle) => _nodes[vehicle].Bidder;
+
+    /// <summary>The vehicles that are underway to the first target.</summary>
+    public int[] Underway => Enumerable.Range(0, _nodes.Count)
+        .Where(i => !Lost.Contains(i) && _nodes[i].Bidder.Tasks.Any(t => t.Number == 1 && _nodes[i].Bidder.IsOurs(t)))
+        .ToArray();
+
+    public void Announce(int targets = 1)
+    {
+        for (int i = 1; i <= targets; i++)
+        {
+            _nodes[0].Finder.Announce(i, new ValidationTask
+            {
+                Class = DefaultTargetClasses.Red,
+                Position = GeodeticPosition.FromDegrees(47.4 + (i * 0.001), 8.5, 0),
+                RadiusMetres = 4,
+            });
+        }
+    }
+
+    /// <summary>A vehicle starts anew, and has forgotten all.</summary>
+    public void Restart(int vehicle) => _nodes[vehicle] = new Node(this, vehicle, session: 2);
+
+    public void Run(double seconds) => RunUntil(() => false, seconds);
+
+    public bool RunUntil(Func<bool> condition, double maxSeconds)
+    {
+        for (double end = Seconds + maxSeconds; Seconds < end;)
+        {
+            if (condition())
+                return true;
+            Seconds += Step;
+            foreach ((double Due, int To, Action<Node> Deliver) message in _onTheWay.Where(m => m.Due <= Seconds).ToArray())
+            {
+                _onTheWay.Remove(message);
+                if (!Lost.Contains(message.To))
+                    message.Deliver(_nodes[message.To]);
+            }
+
+            for (int i = 0; i < _nodes.Count; i++)
+            {
+                if (!Lost.Contains(i))
+                    _nodes[i].Update();
+            }
+        }
+
+        return condition();
+    }
+
+    private byte[] PresentFor(int vehicle) => Enumerable.Range(0, _nodes.Count)
+        .Where(i => i != vehicle && !Lost.Contains(i) && Reaches(i, vehicle)).Select(i => (byte)(i + 1)).ToArray();
+
+    private void Send(int from, int? to, Action<Node> deliver)
+    {
+        Sent++;
+        for (int i = 0; i < _nodes.Count; i++)
+        {
+            if (i == from || (to is not null && to != i) || !Reaches(from, i))
+                continue;
+            for (int copies = _random.NextDouble() < Duplicates ? 2 : 1; copies > 0; copies--)
+            {
+                if (_random.NextDouble() >= Loss)
+                    _onTheWay.Add((Seconds + (_random.NextDouble() * MaxDelaySeconds), i, deliver));
+            }
+        }
+    }
+
+    private sealed class Node : IValidationSender
+    {
+        private readonly ValidationNetwork _network;
+        private readonly int _number;
+        private double? _since;
+        private ValidationTask? _job;
+
+        public Node(ValidationNetwork network, int number, ushort session)
+        {
+            (_network, _number) = (network, number);
+            Finder = new ValidationFinder(session, this, _ => { });
+            Bidder = new ValidationBidder(this);
+        }
+
+        public ValidationFinder Finder { get; }
+
+        public ValidationBidder Bidder { get; }
+
+        private TimeSpan Now => TimeSpan.FromSeconds(_network.Seconds);
+
+        public void Send(in ValidationTask task)
+        {
+            ValidationTask sent = task with { Finder = (byte)(_number + 1) };
+            _network.Send(
+                _number, null,
+                node => node.Bidder.Receive(
+                    sent, (byte)(node._number + 1), _ => _network.SecondsTo(node._number), node.Now));
+        }
+
+        public void Send(in ValidationBid bid, byte finder)
+        {
+            ValidationBid sent = bid;
+            _network.Send(
+                _number, finder - 1, node => node.Finder.Receive((byte)(_number + 1), sent, node.Now));
+        }
+
+        public void Update()
+        {
+            Finder.Update(_network.PresentFor(_number), Now);
+            Bidder.Update(Now);
+            if (_job is { } job && !Bidder.IsOurs(job))
+                (_job, _since) = (null, null);
+            if (_job is null && Bidder.Next is { } next)
+                (_job, _since) = (next, _network.Seconds);
+            if (_job is not { } done || _network.Seconds - _since < JobSeconds)
+                return;
+            Bidder.Finish(done, _network.Shown, Now);
+            _network.Finished.Add(_number);
+            (_job, _since) = (null, null);
+        }
+    }
+}
