@@ -149,8 +149,8 @@ internal static class CommandLine
             "Rabit's managers fly a search: a simulated one, or with a real vehicle; or they observe a flight, live or "
                 + "recorded.")
         {
-            Links, RealTime, Seed, Targets, GroupArguments.Vehicles, Autopilot, Mission, Fly, Camera, Terrain, TruthOption, Headless, Summary,
-            Report, Log, SystemId, SignKey, TrustLink, Px4Events,
+            Links, RealTime, Seed, Targets, GroupArguments.Vehicles, GroupArguments.Layer, Autopilot, Mission, Fly,
+            Camera, Terrain, TruthOption, Headless, Summary, Report, Log, SystemId, SignKey, TrustLink, Px4Events,
         };
         foreach (Option option in PreflightArguments.All.Concat(OperatorArguments.All)
             .Concat(ReportArguments.All).Concat(RecordingArguments.All).Concat(AbandonedArguments.All)
@@ -214,6 +214,7 @@ internal static class CommandLine
         Seed = result.GetValue(Seed) ?? (given.Config?.TextOf("Seed") is null ? 1 : given.Config.Options.Seed),
         TargetCount = result.GetValue(Targets) ?? 5,
         Vehicles = GroupArguments.Read(result),
+        Group = GroupArguments.ReadGroup(result),
         Autopilot = result.GetValue(Autopilot) == "px4" ? SimulatedAutopilot.Px4 : SimulatedAutopilot.ArduPilot,
         MissionFile = given.Mission.Value,
         MissionOption = given.Mission.Name,

@@ -3,6 +3,7 @@ using System.Linq;
 using Rabit.Links;
 using Rabit.Uav.Communications;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.MissionControl;
 using Rabit.Uav.Simulation;
 
 namespace UavConsole;
@@ -30,6 +31,9 @@ internal sealed class ConsoleOptions
 
     /// <summary>How many simulated vehicles search together.</summary>
     public int Vehicles { get; init; } = 1;
+
+    /// <summary>How a real vehicle searches together with others; null where it searches alone.</summary>
+    public GroupOptions? Group { get; init; }
 
     /// <summary>What the simulated vehicle flies with.</summary>
     public SimulatedAutopilot Autopilot { get; init; }

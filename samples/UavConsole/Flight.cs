@@ -141,6 +141,7 @@ internal sealed class Flight : IDisposable
         {
             options.Preflight.ApplyTo(uavOptions, mission!, isSimulated: false);
             options.Operator.ApplyTo(uavOptions.MissionControl);
+            uavOptions.MissionControl.Group = options.Group ?? uavOptions.MissionControl.Group;
             uavOptions.Communications.SendsTargetsAsTraffic = options.Operator.SendsTargetsAsTraffic;
         }
 

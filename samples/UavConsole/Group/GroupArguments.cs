@@ -3,6 +3,7 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Linq;
+using Rabit.Uav.MissionControl;
 using Rabit.Uav.Simulation;
 
 namespace UavConsole;
@@ -20,11 +21,27 @@ internal static class GroupArguments
         CustomParser = Parse,
     };
 
+    /// <summary>In which height a real vehicle searches together with others.</summary>
+    public static Option<int?> Layer { get; } = new("--group-layer")
+    {
+        Description = "Searches the area together with other vehicles that fly the same --mission, and validates their "
+            + $"targets: N layers of 20 m above its height, 0 to {GroupOptions.MaxLayer}, each vehicle another one; "
+            + "needs --fly, and a --link to the others (docs/how-to.md).",
+        HelpName = "N",
+        CustomParser = ParseLayer,
+    };
+
     public static int Read(ParseResult result) => result.GetValue(Vehicles) ?? 1;
+
+    /// <summary>How a real vehicle searches with others; null where it searches alone.</summary>
+    public static GroupOptions? ReadGroup(ParseResult result)
+        => result.GetValue(Layer) is { } layer ? new GroupOptions { HeightLayer = layer } : null;
 
     /// <summary>What does not go with several vehicles.</summary>
     public static IEnumerable<string> FindFaults(ParseResult result, Given given)
     {
+        if (result.GetValue(Layer) is not null && !given.Flies.Value)
+            yield return $"{Layer.Name} needs --link URL, --mission FILE and --fly; the simulation has --vehicles.";
         if (Read(result) == 1)
             yield break;
         if (!given.IsSimulated)
@@ -39,6 +56,16 @@ internal static class GroupArguments
         ];
         foreach (string name in alone.Where(n => result.Tokens.Any(t => t.Value == n)))
             yield return $"{name} is for one vehicle; it does not go with --vehicles.";
+    }
+
+    private static int? ParseLayer(ArgumentResult result)
+    {
+        string text = result.Tokens[0].Value;
+        if (int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int layer)
+            && layer <= GroupOptions.MaxLayer)
+            return layer;
+        result.AddError($"--group-layer {text}: it must be a number from 0 to {GroupOptions.MaxLayer}.");
+        return null;
     }
 
     private static int? Parse(ArgumentResult result)

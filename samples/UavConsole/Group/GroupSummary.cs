@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Uav.Messages;
 using Rabit.Uav.Reporting;
 using Rabit.Uav.Simulation;
 
@@ -17,6 +18,9 @@ internal sealed class GroupSummary
             .ToArray();
         FlightTime = flown.Length == 0 ? TimeSpan.Zero : flown.Max(p => p.Time) - flown.Min(p => p.Time);
         Coverage = vehicles.Max(v => v.Record.Mission.Coverage);
+        Validations = flight.Vehicles
+            .SelectMany(v => v.Group.Validations.Where(t => t.Finder == v.Simulated.SystemId))
+            .Where(t => t.State != ValidationState.Closed || t.Validator != 0).ToArray();
     }
 
     /// <summary>Each vehicle, in the order of the system ids.</summary>
@@ -26,6 +30,12 @@ internal sealed class GroupSummary
 
     /// <summary>The tracks of the first vehicle, which has those of the others, compared with the truth.</summary>
     public MissionScore Score { get; }
+
+    /// <summary>
+    /// The targets that were to be validated by a second vehicle, as their finders know them; without those that were
+    /// left to the task of another finder.
+    /// </summary>
+    public IReadOnlyList<ValidationTask> Validations { get; }
 
     /// <summary>From the first take-off to the last landing.</summary>
     public TimeSpan FlightTime { get; }

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using Rabit.Uav.Messages;
 using Rabit.Uav.Reporting;
 using Rabit.Uav.Simulation;
 
@@ -22,6 +23,8 @@ internal static class GroupSummaryText
         output.WriteLine(string.Format(
             CultureInfo.InvariantCulture, "{0} of {1} targets found, {2} false; {3:0.0} m RMS", summary.Score.Found,
             summary.Score.Targets.Count, summary.Score.FalseTracks.Count, summary.Score.RmseMetres));
+        foreach (ValidationTask task in summary.Validations)
+            output.WriteLine(Of(task));
         for (int i = 0; i < count; i++)
             output.WriteLine(Of(summary, i));
     }
@@ -30,6 +33,16 @@ internal static class GroupSummaryText
     public static string Of(Separation pair) => string.Format(
         CultureInfo.InvariantCulture, "vehicles {0} and {1} were {2:0.0} m apart over ground and {3:0.0} m in height at {4}",
         pair.First + 1, pair.Second + 1, pair.HorizontalMetres, pair.VerticalMetres, FlightText.Clock(pair.Time));
+
+    private static string Of(in ValidationTask task)
+    {
+        string found = string.Format(
+            CultureInfo.InvariantCulture, "{0} at {1:0.000000} {2:0.000000}: found by vehicle {3}, ", task.Class,
+            task.Position.Latitude.Degrees, task.Position.Longitude.Degrees, task.Finder);
+        return found + (task.State == ValidationState.Closed
+            ? $"by vehicle {FlightText.Number(task.Validator)} {task.Result.ToString().ToLowerInvariant()}"
+            : "NOT VALIDATED");
+    }
 
     private static string Of(GroupSummary summary, int vehicle)
     {

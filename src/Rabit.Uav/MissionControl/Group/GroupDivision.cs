@@ -7,9 +7,9 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// Who flies which lanes. The author is the vehicle with the lowest system id among those that are received, and every
-/// vehicle works that out for itself: where the radio separates the group, each part has an author of its own, and
-/// where they meet again the lower one's division holds. The author divides anew when vehicles come, go or are done,
+/// Who flies which lanes. The author is the vehicle with the lowest system id among those that search and are received,
+/// and every vehicle works that out for itself: where the radio separates the group, each part has an author of its
+/// own, and where they meet again the lower one's division holds. The author divides anew when vehicles come, go or are done,
 /// and repeats its division, so that a lost one is repaired. One thread.
 /// </summary>
 internal sealed class GroupDivision
@@ -48,6 +48,23 @@ internal sealed class GroupDivision
     /// <summary>Forgets all: the lanes are others now.</summary>
     public void Clear() => (Author, Shares, _begun) = (0, [], null);
 
+    /// <summary>Who divides, as we see it; 0 for none.</summary>
+    /// <param name="own">Our own report.</param>
+    /// <param name="ownSystemId">Our system id.</param>
+    /// <param name="present">The others that are received.</param>
+    public static byte AuthorOf(
+        in GroupReport own, byte ownSystemId, IEnumerable<(byte SystemId, GroupReport Report)> present)
+    {
+        byte author = own.State == GroupMemberState.Available ? ownSystemId : (byte)0;
+        foreach ((byte id, GroupReport report) in present)
+        {
+            if (report.State == GroupMemberState.Available && (author == 0 || id < author))
+                author = id;
+        }
+
+        return author;
+    }
+
     /// <summary>Takes the division of another vehicle.</summary>
     /// <param name="source">Its system id.</param>
     /// <param name="division">Of our lanes.</param>
@@ -78,18 +95,20 @@ internal sealed class GroupDivision
         Func<IReadOnlyList<(byte SystemId, GroupReport Report)>, ImmutableArray<LaneShare>> divide, TimeSpan now)
     {
         _begun ??= now;
-        if (present.Any(m => m.SystemId < ownSystemId) || now - _begun.Value < FirstAfter)
+        if (ownSystemId != AuthorOf(own, ownSystemId, present) || now - _begun.Value < FirstAfter)
             return false;
         (byte SystemId, GroupReport Report)[] available = present.Append((ownSystemId, own))
             .Where(m => m.Item2.State == GroupMemberState.Available).OrderBy(m => m.Item1).ToArray();
+        bool isNeeded = Shares.Length == 0 || available.Any(m => ShareOf(m.SystemId).SystemId == 0)
+            || Shares.Any(s => available.All(m => m.SystemId != s.SystemId) && metresLeft(s.SystemId) > 0);
 
         // After a restart the others still follow a number of ours from before it.
         bool isTaken = Author == ownSystemId
             && !present.Any(m => m.Report.DivisionAuthor == ownSystemId && IsNewer(m.Report.DivisionNumber, Number));
-        bool haveChanged = !isTaken || available.Any(m => ShareOf(m.SystemId).SystemId == 0)
-            || Shares.Any(s => available.All(m => m.SystemId != s.SystemId) && metresLeft(s.SystemId) > 0);
-        if (available.Length > 0 && (haveChanged || IsUnbalanced(available, now)))
+        if (isNeeded || IsUnbalanced(available, now))
             Set(ownSystemId, divide(available), isTaken, present, now);
+        else if (!isTaken)
+            Set(ownSystemId, Shares, isTaken, present, now);
         if (Author != ownSystemId || now - _sent < RepeatPeriod || present.Count == 0)
             return false;
         _sent = now;
@@ -127,8 +146,9 @@ internal sealed class GroupDivision
 
     private void Set(byte author, ushort number, ImmutableArray<LaneShare> shares)
     {
+        if (!shares.SequenceEqual(Shares))
+            Changes++;
         (Author, Number, Shares) = (author, number, shares);
-        Changes++;
     }
 
     // Modulo 2^16.

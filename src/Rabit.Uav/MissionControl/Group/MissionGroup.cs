@@ -71,7 +71,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         NotePlan(flight);
         if (Lanes is not { } lanes || envelope.Content.LanesKey != lanes.Key)
             return;
-        byte author = _members.Present(flight.Now).Select(m => m.SystemId).Append(SystemId).Min();
+        byte author = GroupDivision.AuthorOf(_own, SystemId, _members.Present(flight.Now));
         _division.Receive(envelope.SourceSystemId, envelope.Content, SystemId, author, lanes.Lanes.Count);
     }
 

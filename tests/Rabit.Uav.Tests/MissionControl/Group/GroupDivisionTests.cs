@@ -35,6 +35,38 @@ public sealed class GroupDivisionTests
         Assert.Equal(0, _division.Author);
     }
 
+    [Theory]
+    [InlineData(GroupMemberState.Waiting)]
+    [InlineData(GroupMemberState.Leaving)]
+    public void Update_LowerIdDoesNotSearch_Divides(GroupMemberState state)
+    {
+        _others[4] = Report() with { State = state };
+        Update(seconds: 3);
+        Assert.Equal(5, _division.Author);
+    }
+
+    [Fact]
+    public void Update_DoesNotSearch_DividesNothing()
+    {
+        _own.State = GroupMemberState.Waiting;
+        _others[6] = Report();
+        Update(seconds: 10);
+        Assert.Equal(0, _division.Author);
+    }
+
+    [Fact]
+    public void Update_AuthorLeavesWithoutLanes_ItsDivisionIsKept()
+    {
+        _others[4] = Report();
+        Receive(source: 4, number: 7, author: 4, new LaneShare(4, 0, 6), new LaneShare(5, 6, 6));
+        int changes = _division.Changes;
+        _others[4] = Report() with { State = GroupMemberState.Leaving, MetresLeft = 0 };
+        Update(seconds: 5);
+        Assert.Equal(5, _division.Author);
+        Assert.Equal(new LaneShare(5, 6, 6), _division.ShareOf(5));
+        Assert.Equal(changes, _division.Changes);
+    }
+
     [Fact]
     public void Update_LowerIdIsNotReceivedAnyMore_Divides()
     {
