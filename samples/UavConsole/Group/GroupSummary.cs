@@ -13,7 +13,8 @@ internal sealed class GroupSummary
     public GroupSummary(GroupFlight flight, IReadOnlyList<FlightSummary> vehicles)
     {
         (Vehicles, Group) = (vehicles, flight.Group);
-        Score = TargetScoring.Score(flight.Truth, vehicles[0].Record.Tracks.Tracks);
+        Score = vehicles.Select(v => TargetScoring.Score(flight.Truth, v.Record.Tracks.Tracks))
+            .OrderByDescending(s => s.Found).ThenBy(s => s.FalseTracks.Count).First();
         TruePose[] flown = flight.Group.Vehicles.SelectMany(v => v.World.Truth.Path.Where(p => p.Position.Down < 0))
             .ToArray();
         FlightTime = flown.Length == 0 ? TimeSpan.Zero : flown.Max(p => p.Time) - flown.Min(p => p.Time);
@@ -28,7 +29,7 @@ internal sealed class GroupSummary
 
     public SimulatedGroup Group { get; }
 
-    /// <summary>The tracks of the first vehicle, which has those of the others, compared with the truth.</summary>
+    /// <summary>The tracks of the vehicle that knows the most of all targets, compared with the truth.</summary>
     public MissionScore Score { get; }
 
     /// <summary>
@@ -45,7 +46,10 @@ internal sealed class GroupSummary
 
     /// <summary>What of it failed, for people.</summary>
     public IEnumerable<string> Failures => Vehicles
-        .SelectMany((v, i) => v.Mission!.Failures.Select(f => $"vehicle {FlightText.Number(i + 1)}: {f}"))
+        .SelectMany((v, i) => new MissionSummary(v.Record, score: null).Failures
+            .Select(f => $"vehicle {FlightText.Number(i + 1)}: {f}"))
+        .Concat(Score.Targets.Where(t => !t.IsFound).Select(t => $"target {t.Name} was not found"))
+        .Concat(Score.FalseTracks.Select(t => $"a confirmed {t.Class} is no target"))
         .Concat(Group.TooNear.Select(GroupSummaryText.Of));
 
     public bool HasPassed => !Failures.Any();

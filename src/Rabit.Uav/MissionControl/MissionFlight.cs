@@ -221,7 +221,8 @@ internal sealed class MissionFlight(
             at.Latitude.Radians, at.Longitude.Radians, at.AltitudeAmslMetres - HeightMetres));
         if (fault.Length > 0 || Energy.CheckPlan(this) is not { } shortage)
             return fault;
-        if (!Mission.AllowsPartialSearch && !Options.AllowsPartialSearch)
+        // Of a group each flies a share, which is not known before the others have taken off.
+        if (!Mission.AllowsPartialSearch && !Options.AllowsPartialSearch && Group is null)
         {
             return shortage + "; with allowPartialSearch of the mission, or --allow-partial-search, it is begun, and "
                 + "returns in time";

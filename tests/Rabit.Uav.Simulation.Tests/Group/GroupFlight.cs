@@ -5,7 +5,6 @@ using System.Linq;
 using System.Text;
 using Rabit.Core;
 using Rabit.Links;
-using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 
@@ -20,12 +19,13 @@ internal sealed class GroupFlight : IDisposable
     private readonly List<MessageSubscriber<TrackList>> _tracks = [];
     private readonly List<StringBuilder> _logs = [];
 
-    public GroupFlight(MissionPlan plan, SimulatedGroupOptions options, bool hasEventLogs = false)
+    public GroupFlight(
+        MissionPlan plan, SimulatedGroupOptions options, double layerSpacingMetres, bool hasEventLogs = false)
     {
         options.World.TakePlacesFrom(plan);
         Group = new SimulatedGroup(options);
         for (int i = 0; i < options.Vehicles; i++)
-            Add(plan, i, hasEventLogs);
+            Add(plan, i, layerSpacingMetres, hasEventLogs);
     }
 
     public SimulatedGroup Group { get; }
@@ -68,7 +68,7 @@ internal sealed class GroupFlight : IDisposable
             system.Dispose();
     }
 
-    private void Add(MissionPlan plan, int number, bool hasEventLog)
+    private void Add(MissionPlan plan, int number, double layerSpacingMetres, bool hasEventLog)
     {
         SimulatedGroupVehicle vehicle = Group.Vehicles[number];
         var telemetry = new MemoryLinkPair("telemetry");
@@ -84,9 +84,12 @@ internal sealed class GroupFlight : IDisposable
             Mission = plan,
             MayCommand = true,
             Camera = vehicle.World.CreateCamera(),
-            Imaging = new ImageProcessingOptions { Camera = vehicle.World.CameraModel, Mount = vehicle.World.CameraMount },
+            Imaging = { Camera = vehicle.World.CameraModel, Mount = vehicle.World.CameraMount },
             Time = vehicle.Time,
-            MissionControl = new MissionControlOptions { Group = new GroupOptions { HeightLayer = number } },
+            MissionControl = new MissionControlOptions
+            {
+                Group = new GroupOptions { HeightLayer = number, LayerSpacingMetres = layerSpacingMetres },
+            },
             Communications = { LinkSettings = new Dictionary<int, LinkSettings> { [1] = vehicle.RadioSettings } },
         });
         _systems.Add(uav);

@@ -1,33 +1,109 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 using Rabit.Uav.Simulation.Tests.Missions;
 using Xunit;
-using Xunit.Abstractions;
 
 namespace Rabit.Uav.Simulation.Tests.Group;
 
-/// <summary>Several whole companion computers search one area together, in virtual time.</summary>
-public sealed class GroupFlightTests(ITestOutputHelper output)
+/// <summary>Several whole companion computers search one area together, in virtual time, over a simulated radio.</summary>
+public sealed class GroupFlightTests
 {
     [Fact]
-    public void Flight_Three_SearchTheAreaAndKeepApart()
+    public void Flight_Two_SearchTheAreaValidateEachOthersTargetsAndKeepApart()
     {
-        using var flight = new GroupFlight(SearchFlight.BundledPlan(), Options());
-        System.Diagnostics.Stopwatch w = System.Diagnostics.Stopwatch.StartNew();
+        using GroupFlight flight = Open(2);
         Assert.True(flight.RunToEnd(), flight.Log);
-        output.WriteLine($"{flight.Group.Now.TotalSeconds} s in {w.Elapsed.TotalSeconds}");
-        for (int i = 0; i < 3; i++)
-        {
-            var r = flight.Group.RadioOf(i);
-            output.WriteLine($"{i}: {r.FramesSent} frames {r.BytesSent / flight.Group.Now.TotalSeconds * 8} bit/s delivered {r.Delivered} lost {r.LostAtRandom} {flight.Mission(i).Result.Outcome} {flight.Mission(i).Coverage}");
-        }
-
-        output.WriteLine(flight.Log);
+        Assert.All(Vehicles(2), i => Assert.True(
+            flight.Mission(i).Result.Outcome == MissionOutcome.Accomplished, flight.Log));
         Assert.Empty(flight.Group.TooNear);
-        Assert.All(Enumerable.Range(0, 3), i => Assert.Equal(MissionOutcome.Accomplished, flight.Mission(i).Result.Outcome));
+        ValidationTask[] tasks = Validated(flight);
+        Assert.True(tasks.Length >= 1, flight.Log);
+        Assert.All(tasks, t => Assert.Equal(ValidationResult.Confirmed, t.Result));
+        Assert.All(tasks, t => Assert.NotEqual(t.Finder, t.Validator));
     }
 
-    private static SimulatedGroupOptions Options() => new() { World = { Seed = 5, TargetCount = 5 } };
+    [Fact]
+    public void Flight_AtRest_TakesAtMostTwoKilobitsPerSecond()
+    {
+        using GroupFlight flight = Open(3);
+        Assert.False(flight.RunUntil(() => flight.Mission(0).Phase == MissionPhase.Arming, 7), flight.Log);
+        long before = flight.Group.RadioOf(0).BytesSent;
+        TimeSpan from = flight.Group.Now;
+        Assert.False(flight.RunUntil(() => flight.Mission(0).Phase == MissionPhase.Searching, 15), flight.Log);
+        double rate = 8 * (flight.Group.RadioOf(0).BytesSent - before) / (flight.Group.Now - from).TotalSeconds;
+        Assert.InRange(rate, 800, 2000);
+    }
+
+    [Fact]
+    public void Flight_SameSeed_IsTheSameToTheByte()
+    {
+        string[] first = EventLogs(seed: 5);
+        Assert.Equal(first, EventLogs(seed: 5));
+        Assert.NotEqual(first, EventLogs(seed: 6));
+    }
+
+    [Fact]
+    public void Flight_OneIsLost_TheOtherSearchesTheArea()
+    {
+        using GroupFlight flight = Open(
+            2, new SimulatedGroupFault(1, SimulatedGroupFaultKind.Lost, TimeSpan.FromSeconds(40)));
+        Assert.True(flight.RunToEnd(), flight.Log);
+        Assert.True(flight.Mission(0).Coverage >= 0.98, flight.Log);
+        Assert.Equal(MissionOutcome.Accomplished, flight.Mission(0).Result.Outcome);
+        Assert.False(flight.GroupStatus(0).Members.Single().IsPresent);
+    }
+
+    [Fact]
+    public void Flight_OneIsSwitchedOnLate_TakesAShare()
+    {
+        using GroupFlight flight = Open(
+            2, new SimulatedGroupFault(1, SimulatedGroupFaultKind.SwitchedOn, TimeSpan.FromSeconds(20)));
+        Assert.True(flight.RunToEnd(), flight.Log);
+        Assert.True(flight.Mission(1).LanesFlown > 0, flight.Log);
+        Assert.All(Vehicles(2), i => Assert.True(flight.Mission(i).Coverage >= 0.98, flight.Log));
+    }
+
+    [Fact]
+    public void Flight_RadioOfOneIsDead_BothSearchAllAndKeepApart()
+    {
+        using GroupFlight flight = Open(
+            2, new SimulatedGroupFault(0, SimulatedGroupFaultKind.RadioDead, TimeSpan.FromSeconds(8)));
+        Assert.True(flight.RunToEnd(), flight.Log);
+        Assert.All(Vehicles(2), i => Assert.True(flight.Mission(i).Coverage >= 0.98, flight.Log));
+        Assert.Empty(flight.Group.TooNear);
+    }
+
+    private static string[] EventLogs(long seed)
+    {
+        using GroupFlight flight = Open(2, seed, hasEventLogs: true);
+        flight.RunUntil(() => false, 45);
+        return flight.EventLogs.Select(l => l.ToString()).ToArray();
+    }
+
+    private static ValidationTask[] Validated(GroupFlight flight) => Vehicles(2)
+        .SelectMany(i => flight.GroupStatus(i).Validations.Where(t => t.Finder == i + 1))
+        .Where(t => t.Validator != 0).ToArray();
+
+    private static IEnumerable<int> Vehicles(int count) => Enumerable.Range(0, count);
+
+    private static GroupFlight Open(int vehicles, params SimulatedGroupFault[] faults)
+        => Open(vehicles, seed: 5, hasEventLogs: false, faults);
+
+    // Low, so that the small pictures show what lies there.
+    private static GroupFlight Open(
+        int vehicles, long seed, bool hasEventLogs, params SimulatedGroupFault[] faults)
+    {
+        SimulationOptions world = SearchFlight.SmallWorld();
+        world.Seed = seed;
+        MissionPlan plan = MissionPlan.Parse(
+            SearchFlight.SmallMission.Replace("\"heightMetres\": 30", "\"heightMetres\": 20")
+                .Replace("\"laneSpacingMetres\": 22", "\"laneSpacingMetres\": 14"),
+            "small");
+        return new GroupFlight(
+            plan, new SimulatedGroupOptions { Vehicles = vehicles, World = world, Faults = faults },
+            layerSpacingMetres: 17, hasEventLogs);
+    }
 }
