@@ -52,7 +52,8 @@ internal static class GroupArguments
 
         string[] alone =
         [
-            "--config", "--sign-key", "--web", "--summary", "--export", "--record", "--progress", "--resume",
+            "--config", "--sign-key", "--web", "--summary", "--export", "--tlog-dir", "--tlog-size", "--progress",
+            "--resume",
         ];
         foreach (string name in alone.Where(n => result.Tokens.Any(t => t.Value == n)))
             yield return $"{name} is for one vehicle; it does not go with --vehicles.";

@@ -67,7 +67,7 @@ public sealed class ValidationProtocolTests
         network.Announce();
         Assert.True(network.RunUntil(() => network.Underway.Length == 1, 5));
         network.Lost.Add(network.Underway[0]);
-        Assert.True(network.RunUntil(() => network.Task.State == ValidationState.Closed, 60), network.Task.ToString());
+        Assert.True(network.RunUntil(() => network.Task.State == ValidationState.Closed, 60));
         Assert.Equal([2], network.Finished);
         Assert.Equal(2, network.Task.Award);
     }

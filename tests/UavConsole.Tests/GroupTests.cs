@@ -1,0 +1,49 @@
+using System;
+using System.IO;
+using System.Linq;
+using Rabit.Uav.Tests.Communications;
+using Xunit;
+
+namespace UavConsole.Tests;
+
+/// <summary>Several simulated vehicles, as a user starts them.</summary>
+public sealed class GroupTests : IDisposable
+{
+    private readonly TestLog _folder = new();
+
+    [Fact]
+    public void Vehicles_Three_SearchTogetherAndLeaveAReportEach()
+    {
+        using ConsoleProcess console = ConsoleProcess.RunIn(
+            _folder.Folder, out int exitCode, "--headless", "--vehicles", "3", "--targets", "2", "--report", "r.html");
+
+        Assert.True(exitCode == 0, console.ToString());
+        Assert.Empty(console.Errors);
+        Assert.Contains("--- summary of 3 vehicles ---", console.Output);
+        Assert.Contains("mission: ACCOMPLISHED", console.Output);
+        Assert.Contains("2 of 2 targets found, 0 false", string.Join("\n", console.Output), StringComparison.Ordinal);
+        Assert.Equal(2, console.Output.Count(l => l.EndsWith(" confirmed", StringComparison.Ordinal)
+            && l.Contains(": found by vehicle ", StringComparison.Ordinal)));
+        for (int vehicle = 1; vehicle <= 3; vehicle++)
+        {
+            string page = File.ReadAllText(Path.Combine(_folder.Folder, $"r-vehicle-{vehicle}.html"));
+            Assert.Contains($"vehicle {vehicle} of 3", page, StringComparison.Ordinal);
+        }
+    }
+
+    [Theory]
+    [InlineData("--vehicles 0", "--vehicles 0: it must be a number from 1 to 8.")]
+    [InlineData("--vehicles 3 --web", "--web is for one vehicle; it does not go with --vehicles.")]
+    [InlineData("--vehicles 2 --link udpin:127.0.0.1:14599", "--vehicles is for the simulation;")]
+    [InlineData("--group-layer 1", "--group-layer needs --link URL, --mission FILE and --fly;")]
+    [InlineData("--group-layer 9", "--group-layer 9: it must be a number from 0 to 7.")]
+    public void Options_ThatMakeNoSense_AreNamed(string arguments, string expected)
+    {
+        using ConsoleProcess console = ConsoleProcess.RunIn(_folder.Folder, out int exitCode, arguments.Split(' '));
+
+        Assert.Equal(2, exitCode);
+        Assert.Contains(expected, string.Join("\n", console.Errors), StringComparison.Ordinal);
+    }
+
+    public void Dispose() => _folder.Dispose();
+}
