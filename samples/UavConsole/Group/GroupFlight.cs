@@ -45,7 +45,8 @@ internal sealed class GroupFlight : IDisposable
         };
         world.TakePlacesFrom(mission);
         var flight = new GroupFlight(
-            new SimulatedGroup(new SimulatedGroupOptions { Vehicles = options.Vehicles, World = world }), file, mission);
+            new SimulatedGroup(new SimulatedGroupOptions { Vehicles = options.Vehicles, World = world }), file,
+            mission);
         try
         {
             for (int i = 0; i < options.Vehicles; i++)

@@ -31,7 +31,8 @@ internal static class GroupSummaryText
 
     /// <summary>Two vehicles that came too near to each other.</summary>
     public static string Of(Separation pair) => string.Format(
-        CultureInfo.InvariantCulture, "vehicles {0} and {1} were {2:0.0} m apart over ground and {3:0.0} m in height at {4}",
+        CultureInfo.InvariantCulture,
+        "vehicles {0} and {1} were {2:0.0} m apart over ground and {3:0.0} m in height at {4}",
         pair.First + 1, pair.Second + 1, pair.HorizontalMetres, pair.VerticalMetres, FlightText.Clock(pair.Time));
 
     private static string Of(in ValidationTask task)
@@ -50,7 +51,8 @@ internal static class GroupSummaryText
         RadioCounters radio = summary.Group.RadioOf(vehicle);
         return string.Format(
             CultureInfo.InvariantCulture,
-            "vehicle {0}: {1}, {2} lanes flown, {3:0} m in {4}, {5:0} % of the battery; radio {6} frames, {7:0.00} kbit/s",
+            "vehicle {0}: {1}, {2} lanes flown, {3:0} m in {4}, {5:0} % of the battery; radio {6} frames, "
+                + "{7:0.00} kbit/s",
             vehicle + 1, FlightText.Phase(mission.Phase), mission.LanesFlown, mission.FlownMetres,
             FlightText.Clock(mission.FlightTime), mission.BatteryUsedPercent, radio.FramesSent,
             radio.BytesSent * 8 / 1000.0 / summary.Group.Now.TotalSeconds);

@@ -53,7 +53,9 @@ internal sealed class MapModel
         };
     }
 
-    /// <summary>The same with several vehicles, each by its number; area, lanes and targets are those of the first.</summary>
+    /// <summary>
+    /// The same with several vehicles, each by its number; area, lanes and targets are those of the first.
+    /// </summary>
     public static MapModel Of(IReadOnlyList<FlightRecord> group)
     {
         SearchPlan? plan = group.Select(r => r.Mission.Plan).FirstOrDefault(p => p is not null);

@@ -157,7 +157,7 @@ public sealed class SimulatedGroup
     private static double StartOf(int vehicle, int vehicles)
     {
         int farthest = vehicles / 2;
-        double spacing = farthest * StartSpacingMetres > MaxStartMetres ? MaxStartMetres / farthest : StartSpacingMetres;
+        double spacing = Math.Min(StartSpacingMetres, MaxStartMetres / Math.Max(1, farthest));
         return spacing * ((vehicle + 1) / 2) * (vehicle % 2 == 1 ? 1 : -1);
     }
 

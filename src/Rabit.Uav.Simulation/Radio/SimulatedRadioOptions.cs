@@ -3,7 +3,9 @@ using System.Collections.Generic;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>What the radio between the vehicles of a simulated group is like. Read once, when the group is made.</summary>
+/// <summary>
+/// What the radio between the vehicles of a simulated group is like. Read once, when the group is made.
+/// </summary>
 /// <example>
 /// A bad one, and two vehicles that do not receive the third for 20 s:
 /// <code>
@@ -70,7 +72,8 @@ public sealed class SimulatedRadioOptions
     internal IEnumerable<string> FindFaults()
     {
         if (!(HalfLossMetres > 0))
-            yield return FormattableString.Invariant($"{nameof(HalfLossMetres)} is {HalfLossMetres}; it must be above zero");
+            yield return FormattableString.Invariant(
+                $"{nameof(HalfLossMetres)} is {HalfLossMetres}; it must be above zero");
         if (!(LossSlopeMetres > 0))
             yield return FormattableString.Invariant(
                 $"{nameof(LossSlopeMetres)} is {LossSlopeMetres}; it must be above zero");
@@ -80,7 +83,8 @@ public sealed class SimulatedRadioOptions
             yield return FormattableString.Invariant(
                 $"{nameof(DuplicateFraction)} is {DuplicateFraction}; it must be 0 to 1");
         if (!(BurstsPerSecond >= 0))
-            yield return FormattableString.Invariant($"{nameof(BurstsPerSecond)} is {BurstsPerSecond}; it must not be negative");
+            yield return FormattableString.Invariant(
+                $"{nameof(BurstsPerSecond)} is {BurstsPerSecond}; it must not be negative");
         if (BurstDuration <= TimeSpan.Zero)
             yield return $"{nameof(BurstDuration)} is {BurstDuration}; it must be above zero";
         if (Latency < MinLatency || Latency > TimeSpan.FromSeconds(10))

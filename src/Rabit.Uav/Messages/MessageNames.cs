@@ -93,7 +93,9 @@ public static class MessageNames
     /// </summary>
     public const string OutgoingTargetReports = "outgoing target reports";
 
-    /// <summary>Message <see cref="Messages.GroupStatus"/>, posted by Mission Control of a vehicle in a group.</summary>
+    /// <summary>
+    /// Message <see cref="Messages.GroupStatus"/>, posted by Mission Control of a vehicle in a group.
+    /// </summary>
     public const string Group = "group";
 
     /// <summary>

@@ -11,7 +11,7 @@ public struct ValidationTask
     /// <summary>MAVLink system id of the finder; not sent: it is that of the sender.</summary>
     public byte Finder { get; set; }
 
-    /// <summary>The run of the finder: after a restart its numbers begin anew.</summary>
+    /// <summary>The run of the finder: after a restart its numbers begin at 1 again.</summary>
     public ushort Session { get; set; }
 
     /// <summary>The number of the task, of its finder.</summary>

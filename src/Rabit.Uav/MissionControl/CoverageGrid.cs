@@ -62,7 +62,9 @@ internal sealed class CoverageGrid
         return cell >= 0 && _isArea[cell] && !_isSeen[cell];
     }
 
-    /// <summary>How many places of the area a strip has, one for each cell, and how many of them were not seen.</summary>
+    /// <summary>
+    /// How many places of the area a strip has, one for each cell, and how many of them were not seen.
+    /// </summary>
     /// <param name="middle">The strip's middle line.</param>
     /// <param name="halfWidthMetres">How far it extends to either side.</param>
     public (int Places, int Unseen) Count(LaneSegment middle, double halfWidthMetres)

@@ -67,7 +67,7 @@ public sealed partial class MissionControlManager
                 _group.Receive(flight, bid);
         }
 
-        /// <summary>The run: another one begins the numbers of its targets anew.</summary>
+        /// <summary>The run: another one begins the numbers of its targets at 1 again.</summary>
         public void Begin(DateTimeOffset utc) => _group.BeginValidation((ushort)(utc.Ticks / TimeSpan.TicksPerSecond));
 
         public void Update(MissionFlight flight, MissionPhase phase) => _group.Update(flight, phase);

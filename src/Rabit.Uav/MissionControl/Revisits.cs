@@ -55,8 +55,8 @@ internal sealed class Revisits
 
     /// <summary>
     /// The nearest target that is to be revisited now; null when there is none. Between two lanes that is each that no
-    /// later lane passes with much less way; on a lane, one beside it to which the way from its end is much longer. None
-    /// while others of a group can validate it.
+    /// later lane passes with much less way; on a lane, one beside it to which the way from its end is much longer.
+    /// None while others of a group can validate it.
     /// </summary>
     /// <param name="flight">The state of the mission.</param>
     /// <param name="isOnLane">Whether a lane is being flown.</param>

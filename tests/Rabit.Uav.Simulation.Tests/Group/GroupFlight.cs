@@ -35,7 +35,8 @@ internal sealed class GroupFlight : IDisposable
     public string Log => string.Join(
         Environment.NewLine, _logs.Select((l, i) => FormattableString.Invariant($"--- vehicle {i + 1}\n") + l));
 
-    public MissionStatus Mission(int vehicle) => Group.Vehicles[vehicle].HasStarted ? Latest(_missions[vehicle]) : default;
+    public MissionStatus Mission(int vehicle)
+        => Group.Vehicles[vehicle].HasStarted ? Latest(_missions[vehicle]) : default;
 
     public GroupStatus GroupStatus(int vehicle) => Latest(_groups[vehicle]);
 

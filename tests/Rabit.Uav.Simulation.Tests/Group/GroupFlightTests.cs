@@ -8,7 +8,7 @@ using Xunit;
 
 namespace Rabit.Uav.Simulation.Tests.Group;
 
-/// <summary>Several whole companion computers search one area together, in virtual time, over a simulated radio.</summary>
+/// <summary>Several whole companion computers search one area together, in virtual time, with a radio.</summary>
 public sealed class GroupFlightTests
 {
     [Fact]
@@ -46,6 +46,7 @@ public sealed class GroupFlightTests
     }
 
     [Fact]
+    [Trait("Category", "Long")]
     public void Flight_OneIsLost_TheOtherSearchesTheArea()
     {
         using GroupFlight flight = Open(
@@ -57,6 +58,7 @@ public sealed class GroupFlightTests
     }
 
     [Fact]
+    [Trait("Category", "Long")]
     public void Flight_OneIsSwitchedOnLate_TakesAShare()
     {
         using GroupFlight flight = Open(
@@ -67,6 +69,7 @@ public sealed class GroupFlightTests
     }
 
     [Fact]
+    [Trait("Category", "Long")]
     public void Flight_RadioOfOneIsDead_BothSearchAllAndKeepApart()
     {
         using GroupFlight flight = Open(

@@ -123,7 +123,8 @@ public sealed class SimulatedRadioTests
     {
         List<int> Run()
         {
-            var rig = new Rig(3, new SimulatedRadioOptions { Loss = 0.2, DuplicateFraction = 0.1, BurstsPerSecond = 0.1 });
+            var options = new SimulatedRadioOptions { Loss = 0.2, DuplicateFraction = 0.1, BurstsPerSecond = 0.1 };
+            var rig = new Rig(3, options);
             rig.Run(sendFrom: 0, count: 1000);
             return rig.Received[2];
         }

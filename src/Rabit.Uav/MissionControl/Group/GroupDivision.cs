@@ -9,8 +9,8 @@ namespace Rabit.Uav.MissionControl;
 /// <summary>
 /// Who flies which lanes. The author is the vehicle with the lowest system id among those that search and are received,
 /// and every vehicle works that out for itself: where the radio separates the group, each part has an author of its
-/// own, and where they meet again the lower one's division holds. The author divides anew when vehicles come, go or are done,
-/// and repeats its division, so that a lost one is repaired. One thread.
+/// own, and where they meet again the lower one's division holds. The author divides again when vehicles come, go or
+/// are done, and repeats its division, so that a lost one is repaired. One thread.
 /// </summary>
 internal sealed class GroupDivision
 {

@@ -34,7 +34,7 @@ public sealed class GroupOptions
     /// </value>
     public double LayerSpacingMetres { get; set; } = 20;
 
-    /// <summary>After what time without its report a vehicle counts as absent, and its lanes are divided anew.</summary>
+    /// <summary>After what time without its report a vehicle counts as absent: its lanes are for others.</summary>
     /// <value>2 to 60 s. The default is 4.5 s: four reports.</value>
     public TimeSpan SilentAfter { get; set; } = TimeSpan.FromSeconds(4.5);
 

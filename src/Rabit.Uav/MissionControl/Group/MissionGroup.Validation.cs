@@ -59,8 +59,8 @@ internal sealed partial class MissionGroup
     public string FinishValidation(MissionFlight flight, ValidationLook look, ValidationResult result)
     {
         _validation?.Finish(look.Task, result, flight.Now);
-        return $"{Name(look.Task)}: {result.ToString().ToLowerInvariant()}, {MissionNumbers.Of(look.Reports)} reports in "
-            + $"{MissionNumbers.Of(look.Pictures)} pictures";
+        return $"{Name(look.Task)}: {result.ToString().ToLowerInvariant()}, {MissionNumbers.Of(look.Reports)} reports "
+            + $"in {MissionNumbers.Of(look.Pictures)} pictures";
     }
 
     public static string Name(in ValidationTask task)

@@ -112,7 +112,8 @@ internal sealed class ValidationFinder(ushort session, IValidationSender sender,
             }
 
             Update(task, present, now);
-            if (now < task.SendAt || (task.Task.State == ValidationState.Closed && now > task.QuietFrom && !task.IsAsked))
+            bool isQuiet = task.Task.State == ValidationState.Closed && now > task.QuietFrom && !task.IsAsked;
+            if (now < task.SendAt || isQuiet)
                 continue;
             sender.Send(task.Task);
             task.IsAsked = false;
@@ -196,7 +197,7 @@ internal sealed class ValidationFinder(ushort session, IValidationSender sender,
 
         public TimeSpan QuietFrom { get; private set; }
 
-        /// <summary>Whether somebody asked for it after it was closed.</summary>
+        /// <summary>Whether a vehicle asked for it after it was closed.</summary>
         public bool IsAsked { get; set; }
 
         public void Award(byte validator, TimeSpan now)

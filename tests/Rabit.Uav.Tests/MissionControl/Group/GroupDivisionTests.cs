@@ -94,7 +94,7 @@ public sealed class GroupDivisionTests
         => Assert.Equal(0, Update(seconds: 20));
 
     [Fact]
-    public void Update_OneComes_DividesAnew()
+    public void Update_OneComes_DividesAgain()
     {
         Update(seconds: 3);
         _others[6] = Report();
@@ -103,7 +103,7 @@ public sealed class GroupDivisionTests
     }
 
     [Fact]
-    public void Update_OneLeavesWithLanes_DividesAnew()
+    public void Update_OneLeavesWithLanes_DividesAgain()
     {
         _others[6] = Report();
         Update(seconds: 3);
@@ -178,8 +178,8 @@ public sealed class GroupDivisionTests
         {
             (byte, GroupReport)[] present = _others.OrderBy(o => o.Key).Select(o => (o.Key, o.Value)).ToArray();
             _own.DivisionNumber = _division.Number;
-            if (_division.Update(_own, 5, present, id => id == 5 ? _own.MetresLeft : _others[id].MetresLeft, Equally, _now))
-                sent++;
+            double LeftOf(byte id) => id == 5 ? _own.MetresLeft : _others[id].MetresLeft;
+            sent += _division.Update(_own, 5, present, LeftOf, Equally, _now) ? 1 : 0;
         }
 
         return sent;

@@ -9,8 +9,8 @@ using Rabit.Uav.MissionControl;
 namespace Rabit.Uav.Tests.MissionControl.Group;
 
 /// <summary>
-/// Several Mission Controls with stand-in vehicles in lock step, and a radio between them that loses what the test says.
-/// Homes are in a row to the east, 20 m apart; the system ids are 1, 2 and so on.
+/// Several Mission Controls with stand-in vehicles in lock step, and a radio between them that loses what the test
+/// says. Homes are in a row to the east, 20 m apart; the system ids are 1, 2 and so on.
 /// </summary>
 internal sealed class GroupRig : IDisposable
 {
@@ -55,7 +55,7 @@ internal sealed class GroupRig : IDisposable
     /// <summary>Whether one vehicle receives another, by their numbers from 0.</summary>
     public Func<int, int, bool> Reaches { get; set; } = (_, _) => true;
 
-    /// <summary>How many vehicles are there from the beginning; the others do not run before they are switched on.</summary>
+    /// <summary>How many vehicles are there; the others do not run before they are switched on.</summary>
     public int SwitchedOn
     {
         get => _switchedOn;
@@ -87,14 +87,18 @@ internal sealed class GroupRig : IDisposable
             foreach (int i in Running())
                 Rigs[i].Run(Step);
             foreach (int from in Running())
-                _ends[from].Deliver(Running().Where(to => to != from && Reaches(from, to)).Select(to => _ends[to]), IsLost);
+            {
+                IEnumerable<int> reached = Running().Where(to => to != from && Reaches(from, to));
+                _ends[from].Deliver(reached.Select(to => _ends[to]), IsLost);
+            }
         }
 
         return condition();
     }
 
     public bool RunToEnd(double maxSeconds = 1500)
-        => RunUntil(() => Running().All(i => Rigs[i].Status.Phase is MissionPhase.Done or MissionPhase.Failed), maxSeconds);
+        => RunUntil(
+            () => Running().All(i => Rigs[i].Status.Phase is MissionPhase.Done or MissionPhase.Failed), maxSeconds);
 
     public void Dispose()
     {
@@ -161,7 +165,8 @@ internal sealed class GroupRig : IDisposable
             => _channels.Add(new Channel<T>(
                 workspace.Receive<Envelope<T>>(outgoing), workspace.Send<Envelope<T>>(incoming)));
 
-        private sealed class Channel<T>(QueueReceiver<Envelope<T>> outgoing, QueueSender<Envelope<T>> incoming) : IChannel
+        private sealed class Channel<T>(QueueReceiver<Envelope<T>> outgoing, QueueSender<Envelope<T>> incoming)
+            : IChannel
         {
             public void Deliver(RadioEnd from, int number, RadioEnd[] to, Func<bool> isLost)
             {

@@ -6,7 +6,9 @@ using Xunit;
 
 namespace Rabit.Uav.Tests.MissionControl.Group;
 
-/// <summary>Several vehicles search one area: who flies what, and what becomes of it where vehicles or the radio fail.</summary>
+/// <summary>
+/// Several vehicles search one area: who flies what, and what becomes of it where vehicles or the radio fail.
+/// </summary>
 public sealed class GroupSearchTests
 {
     // 10 lanes of 360 m.
@@ -77,7 +79,9 @@ public sealed class GroupSearchTests
         Assert.True(rig.RunUntil(() => rig.Rigs[1].Status.LanesFlown >= 1, 300), rig.Story);
         rig.Rigs[1].Vehicle.Health = new HealthReport
         {
-            Level = HealthLevel.Critical, Advice = HealthAdvice.ReturnToLaunch, AdviceText = "battery",
+            Level = HealthLevel.Critical,
+            Advice = HealthAdvice.ReturnToLaunch,
+            AdviceText = "battery",
         };
         Assert.True(rig.RunUntil(() => rig.ShareOf(0).Count == 10, 6), "within 6 s " + rig.Story);
         Assert.True(rig.RunToEnd(), rig.Story);
@@ -98,7 +102,9 @@ public sealed class GroupSearchTests
         rig.Reaches = (_, _) => true;
         Assert.True(
             rig.RunUntil(
-                () => Enumerable.Range(0, 3).All(i => rig.StatusOf(i).DivisionAuthor == 1 && rig.ShareOf(i).Count < 10), 30),
+                () => Enumerable.Range(0, 3).All(
+                    i => rig.StatusOf(i).DivisionAuthor == 1 && rig.ShareOf(i).Count < 10),
+                30),
             rig.Story);
         Assert.True(rig.RunToEnd(), rig.Story);
         Assert.All(rig.Rigs, r => Assert.True(r.Status.Coverage >= 0.98, rig.Story));
@@ -124,7 +130,9 @@ public sealed class GroupSearchTests
         rig.Run(60);
         Assert.Equal(MissionPhase.Searching, rig.Rigs[0].Status.Phase);
         Assert.Equal(MissionPhase.WaitingForVehicle, rig.Rigs[1].Status.Phase);
-        Assert.Contains("vehicle 1 searches 0.0 m above or below our height", rig.Rigs[1].Status.Text, System.StringComparison.Ordinal);
+        Assert.Contains(
+            "vehicle 1 searches 0.0 m above or below our height", rig.Rigs[1].Status.Text,
+            System.StringComparison.Ordinal);
     }
 
     private static GroupRig Open(int vehicles, int seed = 1)

@@ -80,13 +80,16 @@ public sealed class GroupValidationTests
         int validator = Validating(rig).Single();
         rig.Rigs[validator].Vehicle.Health = new HealthReport
         {
-            Level = HealthLevel.Warning, Advice = HealthAdvice.Hold, AdviceText = "pictures",
+            Level = HealthLevel.Warning,
+            Advice = HealthAdvice.Hold,
+            AdviceText = "pictures",
         };
         Assert.True(rig.RunUntil(() => Validating(rig).Any(v => v != validator), 90), rig.Story);
     }
 
     private static IEnumerable<int> Validating(GroupRig rig) => Enumerable.Range(0, rig.Rigs.Count)
-        .Where(i => !rig.Lost.Contains(i) && rig.Rigs[i].Status.Text?.StartsWith("validating", System.StringComparison.Ordinal) == true);
+        .Where(i => !rig.Lost.Contains(i)
+            && rig.Rigs[i].Status.Text?.StartsWith("validating", System.StringComparison.Ordinal) == true);
 
     private static List<ValidationTask> Validated(GroupRig rig)
     {

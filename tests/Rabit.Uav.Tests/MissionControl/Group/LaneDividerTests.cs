@@ -31,7 +31,7 @@ public sealed class LaneDividerTests
     public void Divide_VehiclesStandAtBothSides_EachHasItsSide()
     {
         ImmutableArray<LaneShare> shares = Divide(
-            12, Member(1) with { Position = new PlanePoint(0, 360) }, Member(2) with { Position = new PlanePoint(0, 0) });
+            12, Member(1) with { Position = new PlanePoint(0, 360) }, Member(2) with { Position = default });
         Assert.Equal(new LaneShare(2, 0, 6), shares[1]);
         Assert.Equal(new LaneShare(1, 6, 6), shares[0]);
     }

@@ -66,7 +66,12 @@ public sealed class SharedLanesTests
     [InlineData(Key, 65535, 1)]
     public void Take_OfOtherLanes_IsRefused(uint key, int first, int count)
     {
-        var message = new LaneCoverage { LanesKey = key, FirstLane = first, Parts = [.. Enumerable.Repeat((ushort)1, count)] };
+        var message = new LaneCoverage
+        {
+            LanesKey = key,
+            FirstLane = first,
+            Parts = [.. Enumerable.Repeat((ushort)1, count)],
+        };
         Assert.False(_lanes.Take(message, _coverage));
         Assert.Equal(0, _coverage.SeenCells);
     }
@@ -76,7 +81,8 @@ public sealed class SharedLanesTests
         => Assert.Equal(2, _lanes.Of(new LaneShare(1, 1, 60_000)).Count);
 
     private void See(double south, double north, double west, double east) => _coverage.Mark(
-        new PlanePoint(south, west), new PlanePoint(north, west), new PlanePoint(north, east), new PlanePoint(south, east));
+        new PlanePoint(south, west), new PlanePoint(north, west), new PlanePoint(north, east),
+        new PlanePoint(south, east));
 
     private static SharedLanes Lanes()
     {

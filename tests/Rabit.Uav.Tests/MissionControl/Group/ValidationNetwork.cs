@@ -77,7 +77,7 @@ internal sealed class ValidationNetwork
         }
     }
 
-    /// <summary>A vehicle starts anew, and has forgotten all.</summary>
+    /// <summary>A vehicle starts again, and has forgotten all.</summary>
     public void Restart(int vehicle) => _nodes[vehicle] = new Node(this, vehicle, session: 2);
 
     public void Run(double seconds) => RunUntil(() => false, seconds);
@@ -89,7 +89,8 @@ internal sealed class ValidationNetwork
             if (condition())
                 return true;
             Seconds += Step;
-            foreach ((double Due, int To, Action<Node> Deliver) message in _onTheWay.Where(m => m.Due <= Seconds).ToArray())
+            (double Due, int To, Action<Node> Deliver)[] arrived = _onTheWay.Where(m => m.Due <= Seconds).ToArray();
+            foreach ((double Due, int To, Action<Node> Deliver) message in arrived)
             {
                 _onTheWay.Remove(message);
                 if (!Lost.Contains(message.To))

@@ -112,7 +112,9 @@ public sealed class ValidationProtocolTests
         {
             var network = new ValidationNetwork(2 + (seed % 4), seed)
             {
-                Loss = seed % 3 * 0.2, MaxDelaySeconds = seed % 5 * 0.5, Duplicates = seed % 2 * 0.3,
+                Loss = seed % 3 * 0.2,
+                MaxDelaySeconds = seed % 5 * 0.5,
+                Duplicates = seed % 2 * 0.3,
                 Shown = seed % 2 == 0 ? ValidationResult.Confirmed : ValidationResult.Rejected,
             };
             network.Announce();
