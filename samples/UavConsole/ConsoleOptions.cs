@@ -28,6 +28,9 @@ internal sealed class ConsoleOptions
     /// <summary>How many targets the simulated world has.</summary>
     public int TargetCount { get; init; } = 5;
 
+    /// <summary>How many of the targets move.</summary>
+    public int MovingCount { get; init; }
+
     /// <summary>What the simulated vehicle flies with.</summary>
     public SimulatedAutopilot Autopilot { get; init; }
 

@@ -46,7 +46,8 @@ public sealed class SimulatedWorld
         Options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
         Frame = new WorldFrame(Options.Home);
         Things = TargetField.Place(
-            unchecked((ulong)Options.Seed), Options.Area, Options.TargetCount, Options.DistractorCount);
+            unchecked((ulong)Options.Seed), Options.Area, Options.TargetCount, Options.DistractorCount)
+            .Select(WithMotion).ToArray();
     }
 
     /// <summary>The targets.</summary>
@@ -132,4 +133,14 @@ public sealed class SimulatedWorld
 
     /// <summary>The vehicle alone, to be stepped by a test.</summary>
     internal SimulatedVehicle CreateVehicle(int linkCount = 1) => new(Options, Frame, History, _recorder, linkCount);
+
+    private SimulatedTarget WithMotion(SimulatedTarget target)
+    {
+        SimulatedMotion motion = target.IsDistractor || target.Id > Options.Motions.Count
+            ? SimulatedMotion.Standing
+            : Options.Motions[target.Id - 1];
+        return motion == SimulatedMotion.Standing
+            ? target
+            : target.With(motion, TargetRoutes.Make(unchecked((ulong)Options.Seed), target, motion, Options.Area));
+    }
 }
