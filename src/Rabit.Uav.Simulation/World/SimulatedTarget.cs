@@ -62,7 +62,7 @@ public sealed class SimulatedTarget
             Id = Id,
             Name = Name,
             Class = Class,
-            Position = Position,
+            Position = route.PositionAt(TimeSpan.Zero),
             SideMetres = SideMetres,
             WidthMetres = WidthMetres,
             Heading = Heading,

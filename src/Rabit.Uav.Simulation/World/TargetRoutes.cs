@@ -71,17 +71,23 @@ internal static class TargetRoutes
                 from, Math.Atan2(way.East, way.North), 0, length, (0, top, 0), acceleration, pause);
     }
 
-    // A rectangle with round corners, begun in the middle of a side; smaller as tries fail.
+    // A rectangle with round corners, begun in the middle of a side; smaller as tries fail, and elsewhere where the
+    // target lies too near to a corner of the area for any.
     private static TargetRoute Course(SimulatedTarget target, GroundPolygon area, ref SeededSequence random)
     {
         for (int attempt = 0; attempt < Tries; attempt++)
         {
             double scale = 1 - (attempt / (double)Tries);
+            NedPosition start = attempt < Tries / 2
+                ? target.Position
+                : new NedPosition(
+                    area.South + ((area.North - area.South) * random.NextUnit()),
+                    area.West + ((area.East - area.West) * random.NextUnit()), 0);
             double heading = 2 * Math.PI * random.NextUnit();
             double turn = random.NextSigned() < 0 ? -1 : 1;
             double side = 6 + (74 * scale * random.NextUnit());
             double width = 6 + (44 * scale * random.NextUnit());
-            List<RouteLeg> legs = Rectangle(target.Position, heading, turn, side, width);
+            List<RouteLeg> legs = Rectangle(start, heading, turn, side, width);
             if (legs.TrueForAll(l => IsInside(area, l)))
                 return new TargetRoute(legs);
         }

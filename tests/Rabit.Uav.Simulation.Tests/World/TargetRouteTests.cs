@@ -64,7 +64,7 @@ public sealed class TargetRouteTests
         SimulatedTarget[] standing = World(3).Targets.ToArray();
         SimulatedTarget[] targets = World(3, SimulatedMotion.Walking).Targets.ToArray();
 
-        Assert.Equal(standing.Select(t => t.Position), targets.Select(t => t.PositionAt(TimeSpan.Zero)));
+        Assert.Equal(standing[0].Position, targets[0].PositionAt(TimeSpan.Zero));
         TimeSpan later = TimeSpan.FromMinutes(1);
         Assert.Equal(
             standing.Skip(1).Select(t => t.Position), targets.Skip(1).Select(t => t.PositionAt(later)));
