@@ -16,6 +16,7 @@ internal static class CommandLine
 {
     private const int BadInput = 2;
     private const int MaxTargets = 50;
+    private const int DefaultTargets = 5;
 
     private static readonly Option<LinkUrl[]> Links = new("--link", "-l")
     {
@@ -44,6 +45,14 @@ internal static class CommandLine
     private static readonly Option<int?> Targets = new("--targets")
     {
         Description = $"How many targets the simulated world has, 0 to {MaxTargets}. 5 without it.",
+        HelpName = "N",
+        CustomParser = ParseTargets,
+    };
+
+    private static readonly Option<int?> Moving = new("--moving")
+    {
+        Description = "How many of the simulated targets move: the first walks, the next is a vehicle, the next moves "
+            + "erratically, and so on. The mission declares their classes as moving. 0 without it.",
         HelpName = "N",
         CustomParser = ParseTargets,
     };
@@ -149,8 +158,8 @@ internal static class CommandLine
             "Rabit's managers fly a search: a simulated one, or with a real vehicle; or they observe a flight, live or "
                 + "recorded.")
         {
-            Links, RealTime, Seed, Targets, GroupArguments.Vehicles, GroupArguments.Layer, Autopilot, Mission, Fly,
-            Camera, Terrain, TruthOption, Headless, Summary, Report, Log, SystemId, SignKey, TrustLink, Px4Events,
+            Links, RealTime, Seed, Targets, Moving, GroupArguments.Vehicles, GroupArguments.Layer, Autopilot, Mission,
+            Fly, Camera, Terrain, TruthOption, Headless, Summary, Report, Log, SystemId, SignKey, TrustLink, Px4Events,
         };
         foreach (Option option in PreflightArguments.All.Concat(OperatorArguments.All)
             .Concat(ReportArguments.All).Concat(RecordingArguments.All).Concat(AbandonedArguments.All)
@@ -212,7 +221,8 @@ internal static class CommandLine
         IsHeadless = result.GetValue(Headless) || !LiveScreen.IsPossible(),
         IsRealTime = result.GetValue(RealTime),
         Seed = result.GetValue(Seed) ?? (given.Config?.TextOf("Seed") is null ? 1 : given.Config.Options.Seed),
-        TargetCount = result.GetValue(Targets) ?? 5,
+        TargetCount = result.GetValue(Targets) ?? DefaultTargets,
+        MovingCount = result.GetValue(Moving) ?? 0,
         Vehicles = GroupArguments.Read(result),
         Group = GroupArguments.ReadGroup(result),
         Autopilot = result.GetValue(Autopilot) == "px4" ? SimulatedAutopilot.Px4 : SimulatedAutopilot.ArduPilot,
@@ -255,6 +265,8 @@ internal static class CommandLine
         if (result.GetValue(Fly))
             yield return "--fly commands a real vehicle: it needs --link URL and --mission FILE; the simulation flies "
                 + "without it.";
+        if (result.GetValue(Moving) > (result.GetValue(Targets) ?? DefaultTargets))
+            yield return "--moving is more than there are targets (--targets).";
         if (given.Camera.Value is not null)
             yield return given.Camera.Name + " needs --link URL: the simulation has a camera of its own.";
         if (given.Terrain.Value is not null)
@@ -271,6 +283,8 @@ internal static class CommandLine
             yield return "--seed is for the simulation; it does not go with --link.";
         if (result.GetValue(Targets) is not null)
             yield return "--targets is for the simulation; it does not go with --link.";
+        if (result.GetValue(Moving) is not null)
+            yield return "--moving is for the simulation; it does not go with --link.";
         if (result.GetValue(Autopilot) is not null)
             yield return "--autopilot is for the simulation; the one at the other end of --link says what it is.";
         if (result.GetValue(RealTime))
@@ -330,7 +344,7 @@ internal static class CommandLine
         string text = result.Tokens[0].Value;
         if (int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int count) && count <= MaxTargets)
             return count;
-        result.AddError($"--targets {text}: it must be a number from 0 to {MaxTargets}.");
+        result.AddError($"{((OptionResult)result.Parent!).Option.Name} {text}: it must be a number from 0 to {MaxTargets}.");
         return null;
     }
 

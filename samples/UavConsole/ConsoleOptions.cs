@@ -29,6 +29,9 @@ internal sealed class ConsoleOptions
     /// <summary>How many targets the simulated world has.</summary>
     public int TargetCount { get; init; } = 5;
 
+    /// <summary>How many of the targets move.</summary>
+    public int MovingCount { get; init; }
+
     /// <summary>How many simulated vehicles search together.</summary>
     public int Vehicles { get; init; } = 1;
 

@@ -39,12 +39,13 @@ public sealed class SimulatedWorld
     private bool _hasVehicle;
 
     // The same things on the ground, and another vehicle; home is where that stands.
-    private SimulatedWorld(SimulationOptions options, SimulatedWorld shared)
+    private SimulatedWorld(SimulationOptions options, SimulatedWorld shared, TimeSpan switchedOnAt)
     {
         Options = options.ValidatedCopy(nameof(options));
         Frame = new WorldFrame(Options.Home);
         Things = shared.Things
-            .Select(t => t.At(NedPosition.Origin + Frame.ToWorld(shared.PositionOf(t.Position)) with { Down = 0 }))
+            .Select(t => t.At(
+                NedPosition.Origin + Frame.ToWorld(shared.PositionOf(t.Position)) with { Down = 0 }, switchedOnAt))
             .ToArray();
     }
 
@@ -56,7 +57,8 @@ public sealed class SimulatedWorld
         Options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
         Frame = new WorldFrame(Options.Home);
         Things = TargetField.Place(
-            unchecked((ulong)Options.Seed), Options.Area, Options.TargetCount, Options.DistractorCount);
+            unchecked((ulong)Options.Seed), Options.Area, Options.TargetCount, Options.DistractorCount)
+            .Select(WithMotion).ToArray();
     }
 
     /// <summary>The targets.</summary>
@@ -140,9 +142,19 @@ public sealed class SimulatedWorld
     /// <param name="position">In the frame of the world.</param>
     public GeodeticPosition PositionOf(NedPosition position) => Frame.ToPlace(position - NedPosition.Origin);
 
-    /// <summary>The same world with another vehicle.</summary>
-    internal SimulatedWorld With(SimulationOptions options) => new(options, this);
+    /// <summary>The same world with another vehicle, whose clock begins later.</summary>
+    internal SimulatedWorld With(SimulationOptions options, TimeSpan switchedOnAt) => new(options, this, switchedOnAt);
 
     /// <summary>The vehicle alone, to be stepped by a test.</summary>
     internal SimulatedVehicle CreateVehicle(int linkCount = 1) => new(Options, Frame, History, _recorder, linkCount);
+
+    private SimulatedTarget WithMotion(SimulatedTarget target)
+    {
+        SimulatedMotion motion = target.IsDistractor || target.Id > Options.Motions.Count
+            ? SimulatedMotion.Standing
+            : Options.Motions[target.Id - 1];
+        return motion == SimulatedMotion.Standing
+            ? target
+            : target.With(motion, TargetRoutes.Make(unchecked((ulong)Options.Seed), target, motion, Options.Area));
+    }
 }

@@ -102,6 +102,10 @@ public sealed class SimulationOptions
     /// <value>The default is 6.</value>
     public int DistractorCount { get; set; } = 6;
 
+    /// <summary>How the first targets move, in their order; those without one stand.</summary>
+    /// <value>The default is none: all stand.</value>
+    public IReadOnlyList<SimulatedMotion> Motions { get; set; } = Array.Empty<SimulatedMotion>();
+
     /// <summary>The camera under the vehicle.</summary>
     public SimulatedCameraOptions Camera { get; set; } = new();
 
@@ -179,6 +183,7 @@ public sealed class SimulationOptions
                 "The simulated world: the camera may be left as it is, but not null.", parameter))
             .ValidatedCopy(parameter);
         copy.Area = Area.ToArray();
+        copy.Motions = Motions.ToArray();
         copy.Faults = Faults.OrderBy(f => f.At).Select(f => ScriptedFaultChecks.WithModeNumber(f, Autopilot)).ToArray();
         copy.Parameters = Parameters.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal);
         return copy;
@@ -228,6 +233,10 @@ public sealed class SimulationOptions
             yield return FormattableString.Invariant($"{nameof(TargetCount)} is {TargetCount}; it must be 0 to 1000");
         if (DistractorCount is < 0 or > 1000)
             yield return $"{nameof(DistractorCount)} is {DistractorCount}; it must be 0 to 1000";
+        if (Motions is null || Motions.Count > TargetCount
+            || Motions.Any(m => m is < SimulatedMotion.Standing or > SimulatedMotion.Erratic))
+            yield return $"{nameof(Motions)} must be motions that there are, at most one for each of the "
+                + $"{TargetCount} targets";
         if (Area is null || Area.Count < 3)
             yield return $"{nameof(Area)} must have at least three corners";
         foreach (string fault in FindFaultsOfParameters().Concat(ScriptedFaultChecks.FindFaults(this)))

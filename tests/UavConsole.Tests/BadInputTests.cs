@@ -46,6 +46,7 @@ public sealed class BadInputTests : IDisposable
         "--terrain gives a mission its heights: it needs --mission FILE --fly.")]
     [InlineData("--link udpin:127.0.0.1:14550 --fly", "--fly needs --mission FILE")]
     [InlineData("--link udpin:127.0.0.1:14550 --seed 3", "--seed is for the simulation")]
+    [InlineData("--link udpin:127.0.0.1:14550 --moving 1", "--moving is for the simulation")]
     [InlineData("--link udpin:127.0.0.1:14550 --targets 3", "--targets is for the simulation")]
     [InlineData("--link udpin:127.0.0.1:14550 --realtime", "--realtime is for the simulation")]
     [InlineData("--link udpin:127.0.0.1:14550 --truth a.json",
@@ -83,6 +84,8 @@ public sealed class BadInputTests : IDisposable
     [InlineData("--px4-events a.json", "--px4-events needs --link URL")]
     [InlineData("--link udpin:127.0.0.1:14550 --px4-events /nowhere/e.json",
         "--px4-events /nowhere/e.json cannot be read: ")]
+    [InlineData("--moving 51", "--moving 51: it must be a number from 0 to 50.")]
+    [InlineData("--moving 3 --targets 2", "--moving is more than there are targets")]
     [InlineData("--targets 51", "--targets 51: it must be a number from 0 to 50.")]
     public void CommandLine_BadInput_IsOneLineAndExitCode2(string arguments, string expected)
         => AssertRefused(expected, arguments.Split(' '));

@@ -42,6 +42,7 @@ internal sealed class GroupFlight : IDisposable
             Seed = options.Seed,
             TargetCount = options.TargetCount,
             Autopilot = options.Autopilot,
+            Motions = MovingTargets.MotionsOf(options.MovingCount),
         };
         world.TakePlacesFrom(mission);
         var flight = new GroupFlight(
@@ -91,6 +92,8 @@ internal sealed class GroupFlight : IDisposable
                 Group = new GroupOptions { HeightLayer = number, LayerSpacingMetres = LayerSpacingMetres },
             },
         };
+        uavOptions.Fusion.TargetMotions =
+            uavOptions.Fusion.TargetMotions.SetItems(MovingTargets.Declare(Mission, simulated.World));
         options.Preflight.ApplyTo(uavOptions, Mission, isSimulated: true);
         options.Operator.ApplyTo(uavOptions.MissionControl);
         var log = new RunLog(file, $"vehicle {FlightText.Number(number + 1)}: ");

@@ -85,6 +85,8 @@ internal sealed class ReportTargets(PageWriter page, FlightSummary data)
         PlaceFacts("position", track.Position);
         Fact("reports", $"{FlightText.Number(track.Reports)}, {FlightText.Number(track.Misses)} misses");
         Fact("seen", $"{FlightText.Clock(track.FirstSeen)} to {FlightText.Clock(track.LastSeen)}");
+        if (track.Motion != TargetMotion.Standing)
+            Fact("speed", $"{FlightText.Number(track.VelocityNed.HorizontalLength, "0.0")} m/s when last seen");
         Fact("size", $"{FlightText.Number(track.SizeMetres, "0.0")} m square");
     }
 

@@ -73,7 +73,7 @@ public sealed class FlightRecord
     /// <summary>As last posted.</summary>
     public CommandAuthority Authority { get; init; }
 
-    /// <summary>As last posted.</summary>
+    /// <summary>As last posted, with the confirmed tracks of targets that moved and are gone.</summary>
     public TrackList Tracks { get; init; } = TrackList.None;
 
     /// <summary>Length of the path that was flown, metres: speed over ground and climb, integrated over time.</summary>

@@ -39,6 +39,7 @@ internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IRea
     private HealthReport _health;
     private ImagingStatus _imaging;
     private CommandAuthority _authority;
+    private readonly MovingTrackMemory _moving = new();
     private TrackList _tracks = TrackList.None;
     private TimeSpan? _last;
     private double _flownMetres;
@@ -64,7 +65,7 @@ internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IRea
             if (imaging.Observations != _imaging.Observations)
                 _observations.Add(imaging.LastObservation);
             (_vehicle, _mission, _health) = (vehicle, mission, health);
-            (_imaging, _authority, _tracks) = (imaging, authority, tracks);
+            (_imaging, _authority, _tracks) = (imaging, authority, _moving.Take(tracks));
             _pictures.Take(tracks);
             _samples.Add(Sample(now));
         }

@@ -140,6 +140,13 @@ internal static class MissionSummaryJson
             json.WriteNumber("misses", track.Misses);
             WriteNumber(json, "firstSeenSeconds", track.FirstSeen.TotalSeconds);
             WriteNumber(json, "lastSeenSeconds", track.LastSeen.TotalSeconds);
+            if (track.Motion != TargetMotion.Standing)
+            {
+                json.WriteString("motion", track.Motion.ToString());
+                WriteNumber(json, "northMetresPerSecond", track.VelocityNed.North);
+                WriteNumber(json, "eastMetresPerSecond", track.VelocityNed.East);
+            }
+
             json.WriteEndObject();
         }
 

@@ -92,7 +92,7 @@ internal sealed class MissionSummaryText(TextWriter output, FlightSummary summar
                 ? "MISSED"
                 : $"found, error {FlightText.Number(target.ErrorMetres, "0.00")} m, 95 % ellipse {Ellipse(track)} "
                     + $"{(target.EllipseContainsTruth ? "contains it" : "DOES NOT CONTAIN IT")}, track "
-                    + $"{FlightText.Number(track.Id)}, {FlightText.Number(track.Reports)} reports"));
+                    + $"{FlightText.Number(track.Id)}, {FlightText.Number(track.Reports)} reports{Motion(track)}"));
         }
 
         foreach (TargetTrack track in score.FalseTracks)
@@ -152,7 +152,12 @@ internal sealed class MissionSummaryText(TextWriter output, FlightSummary summar
         => $"{TargetClassNames.Name(track.Class),-8} track {FlightText.Number(track.Id)} at "
             + $"{FlightText.Degrees(track.Position.Latitude.Radians)} "
             + $"{FlightText.Degrees(track.Position.Longitude.Radians)}, "
-            + $"95 % ellipse {Ellipse(track)}, {FlightText.Number(track.Reports)} reports";
+            + $"95 % ellipse {Ellipse(track)}, {FlightText.Number(track.Reports)} reports{Motion(track)}";
+
+    private static string Motion(TargetTrack track) => track.Motion == TargetMotion.Standing
+        ? string.Empty
+        : $", {FlightText.Number(track.VelocityNed.HorizontalLength, "0.0")} m/s when last seen at "
+            + FlightText.Clock(track.LastSeen);
 
     private static string Ellipse(TargetTrack track)
         => $"{FlightText.Number(track.Covariance.HalfMajorAxis95Metres, "0.0")} x "

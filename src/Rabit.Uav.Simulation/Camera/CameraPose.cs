@@ -1,3 +1,5 @@
+using System;
+
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
@@ -8,6 +10,7 @@ internal readonly struct CameraPose
 {
     public CameraPose(in TruePose pose, SimulatedCameraOptions camera)
     {
+        Time = pose.Time;
         BodyAxes body = BodyAxes.FromEulerAngles(
             pose.Attitude.Yaw.Radians, pose.Attitude.Pitch.Radians, pose.Attitude.Roll.Radians);
         BodyAxes foot = BodyAxes.FromEulerAngles(
@@ -21,6 +24,9 @@ internal readonly struct CameraPose
         East = pose.Position.East + lever.Second;
         Height = -(pose.Position.Down + lever.Third);
     }
+
+    /// <summary>By the clock of the run.</summary>
+    public TimeSpan Time { get; }
 
     public BodyAxes Axes { get; }
 

@@ -1,4 +1,5 @@
 using System;
+using Rabit.Geodesy;
 
 namespace Rabit.Uav.Simulation;
 
@@ -26,6 +27,7 @@ internal readonly struct PixelBox(int left, int top, int right, int bottom)
     public static bool TryFind(SimulatedTarget sheet, in CameraPose pose, LensRays lens, out PixelBox box)
     {
         box = default;
+        NedPosition centre = sheet.PositionAt(pose.Time);
         (double sin, double cos) = (Math.Sin(sheet.Heading.Radians), Math.Cos(sheet.Heading.Radians));
         (double leastX, double mostX, double leastY, double mostY) =
             (double.MaxValue, double.MinValue, double.MaxValue, double.MinValue);
@@ -35,8 +37,8 @@ internal readonly struct PixelBox(int left, int top, int right, int bottom)
             double along = (corner & 1) == 0 ? sheet.SideMetres / 2 : -sheet.SideMetres / 2;
             double across = (corner & 2) == 0 ? sheet.WidthMetres / 2 : -sheet.WidthMetres / 2;
             var way = new Vector3(
-                sheet.Position.North + (along * cos) - (across * sin) - pose.North,
-                sheet.Position.East + (along * sin) + (across * cos) - pose.East,
+                centre.North + (along * cos) - (across * sin) - pose.North,
+                centre.East + (along * sin) + (across * cos) - pose.East,
                 pose.Height);
             double depth = Along(way, pose.Axes.Forward);
             if (depth < 0.05 * pose.Height)

@@ -1,4 +1,5 @@
 using System;
+using Rabit.Geodesy;
 
 namespace Rabit.Uav.Simulation;
 
@@ -18,7 +19,8 @@ internal readonly struct SheetView
     public SheetView(SimulatedTarget sheet, in CameraPose pose)
     {
         (double sin, double cos) = (Math.Sin(sheet.Heading.Radians), Math.Cos(sheet.Heading.Radians));
-        (double north, double east) = (pose.North - sheet.Position.North, pose.East - sheet.Position.East);
+        NedPosition centre = sheet.PositionAt(pose.Time);
+        (double north, double east) = (pose.North - centre.North, pose.East - centre.East);
         _along = Terms(pose, cos, sin, (north * cos) + (east * sin));
         _across = Terms(pose, -sin, cos, (east * cos) - (north * sin));
         _down = new Vector3(pose.Axes.Right.Third, pose.Axes.Down.Third, pose.Axes.Forward.Third);

@@ -58,11 +58,9 @@ public sealed class SimulatedGroup
         for (int i = 0; i < options.Vehicles; i++)
         {
             int number = i;
-            SimulatedWorld own = i == 0 && !options.VehicleFaults.ContainsKey(0)
-                ? world
-                : world.With(OptionsOf(options, i, StartOf(i, options.Vehicles), world));
             TimeSpan on = _faults.Where(f => f.Vehicle == number && f.Kind == SimulatedGroupFaultKind.SwitchedOn)
                 .Select(f => f.At).FirstOrDefault();
+            SimulatedWorld own = world.With(OptionsOf(options, i, StartOf(i, options.Vehicles), world), on);
             vehicles.Add(new SimulatedGroupVehicle(
                 own, new VirtualTime(own.Options.Seed, new DateTimeOffset(2000, 1, 1, 0, 0, 0, TimeSpan.Zero) + on),
                 _radio.Add(() => Vehicles![number].Place), on)

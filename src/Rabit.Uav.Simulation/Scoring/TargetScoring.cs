@@ -36,7 +36,7 @@ public static class TargetScoring
 
     /// <summary>Scores tracks.</summary>
     /// <param name="truth">The real targets.</param>
-    /// <param name="tracks">Confirmed ones count; others are ignored.</param>
+    /// <param name="tracks">Confirmed ones count, and lost ones of a class that moves; others are ignored.</param>
     public static MissionScore Score(TargetTruth truth, IEnumerable<TargetTrack> tracks) => Score(truth, tracks, null);
 
     private static MissionScore Score(
@@ -45,7 +45,7 @@ public static class TargetScoring
         if (truth is null)
             throw new ArgumentNullException(nameof(truth));
         TargetTrack[] confirmed = (tracks ?? throw new ArgumentNullException(nameof(tracks)))
-            .Where(t => t.State == TrackState.Confirmed).OrderBy(t => t.Id).ToArray();
+            .Where(IsFound).OrderBy(t => t.Id).ToArray();
         var trackOf = new TargetTrack?[truth.Targets.Count];
         var isTaken = new HashSet<int>();
         foreach ((int target, TargetTrack track, _) in Pairs(truth, confirmed))
@@ -72,17 +72,23 @@ public static class TargetScoring
             .Where(p => p.Metres <= GateMetres)
             .OrderBy(p => p.Metres).ThenBy(p => p.Target).ThenBy(p => p.Track.Id);
 
+    // A target that moved on out of sight was found all the same.
+    private static bool IsFound(TargetTrack track)
+        => track.State == TrackState.Confirmed
+            || (track.State == TrackState.Lost && track.Motion != TargetMotion.Standing);
+
     private static TargetScore Of(TruthTarget target, TargetTrack? track)
     {
-        // Both on the ellipsoid: a difference in height is no error.
+        // Where the target was at the time of the track. Both on the ellipsoid: a difference in height is no error.
+        GeodeticPosition position = track is null ? target.Position : target.PositionAt(track.Time);
         NedPosition error = track is null
             ? default
-            : LocalNedFrame.IgnoringGeoid(OnEllipsoid(target.Position)).ToNed(OnEllipsoid(track.Position));
+            : LocalNedFrame.IgnoringGeoid(OnEllipsoid(position)).ToNed(OnEllipsoid(track.Position));
         return new TargetScore
         {
             Name = target.Name,
             Class = target.Class,
-            Position = target.Position,
+            Position = position,
             Track = track,
             ErrorNorthMetres = error.North,
             ErrorEastMetres = error.East,

@@ -38,6 +38,9 @@ public sealed class TargetTruth(GeodeticPosition home, IReadOnlyList<TruthTarget
             throw new ArgumentNullException(nameof(world));
         return new TargetTruth(world.Options.Home, [.. world.Targets
             .Where(t => !t.Class.IsNone && (classes is not { Count: > 0 } || classes.Contains(t.Class)))
-            .Select(t => new TruthTarget(t.Name, t.Class, world.PositionOf(t.Position)))]);
+            .Select(t => new TruthTarget(t.Name, t.Class, world.PositionOf(t.Position))
+            {
+                Way = t.Route is null ? null : time => world.PositionOf(t.PositionAt(time)),
+            })]);
     }
 }

@@ -89,6 +89,9 @@ public static class TruthFile
         json.WriteStartArray("targets");
         foreach (TruthTarget target in truth.Targets)
         {
+            if (target.Way is not null)
+                throw new ArgumentException(
+                    $"'{target.Name}' moves: a truth file says where targets stand.", nameof(truth));
             json.WriteStartObject();
             json.WriteString("name", target.Name);
             json.WriteString("class", Reporting.TargetClassNames.Name(target.Class));

@@ -1,3 +1,4 @@
+using System;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
@@ -20,7 +21,10 @@ public sealed class SimulatedTarget
     /// </summary>
     public TargetClassName Class { get; init; }
 
-    /// <summary>Where its centre lies in the frame of the world; on the ground, at 0 down.</summary>
+    /// <summary>
+    /// Where its centre lies in the frame of the world, on the ground, at 0 down; of one that moves, at the start of the
+    /// run.
+    /// </summary>
     public NedPosition Position { get; init; }
 
     /// <summary>Its length along <see cref="Heading"/>, metres.</summary>
@@ -37,10 +41,46 @@ public sealed class SimulatedTarget
     /// <summary>Whether it is a distractor: a track of it that is confirmed is a false one.</summary>
     public bool IsDistractor { get; init; }
 
+    /// <summary>How it moves.</summary>
+    public SimulatedMotion Motion { get; init; }
+
+    internal TargetRoute? Route { get; init; }
+
+    // Of the frame and the clock in which the route is, to these here.
+    private NedVector RouteOffset { get; init; }
+
+    private TimeSpan RouteStart { get; init; }
+
     internal SurfaceColour Surface { get; init; }
 
-    /// <summary>The same at another place.</summary>
-    internal SimulatedTarget At(NedPosition position) => new()
+    /// <summary>Where its centre is at a time, in the frame of the world. Any thread.</summary>
+    /// <param name="time">By the clock of the run; before the start it is where it is at the start.</param>
+    public NedPosition PositionAt(TimeSpan time) => Route is null ? Position : Route.PositionAt(time + RouteStart) + RouteOffset;
+
+    /// <summary>Its velocity at a time, m/s, in the frame of the world. Any thread.</summary>
+    /// <param name="time">By the clock of the run.</param>
+    public NedVector VelocityAt(TimeSpan time) => Route?.VelocityAt(time + RouteStart) ?? NedVector.Zero;
+
+    internal SimulatedTarget With(SimulatedMotion motion, TargetRoute route)
+        => new()
+        {
+            Id = Id,
+            Name = Name,
+            Class = Class,
+            Position = route.PositionAt(TimeSpan.Zero),
+            SideMetres = SideMetres,
+            WidthMetres = WidthMetres,
+            Heading = Heading,
+            IsDistractor = IsDistractor,
+            Surface = Surface,
+            Motion = motion,
+            Route = route,
+        };
+
+    /// <summary>The same in another frame.</summary>
+    /// <param name="position">Where it is at the start.</param>
+    /// <param name="routeStart">How long it has moved at the beginning of the clock there.</param>
+    internal SimulatedTarget At(NedPosition position, TimeSpan routeStart) => new()
     {
         Id = Id,
         Name = Name,
@@ -51,5 +91,9 @@ public sealed class SimulatedTarget
         Heading = Heading,
         IsDistractor = IsDistractor,
         Surface = Surface,
+        Motion = Motion,
+        Route = Route,
+        RouteOffset = position - Position,
+        RouteStart = routeStart,
     };
 }
