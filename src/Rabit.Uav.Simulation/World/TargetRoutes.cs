@@ -141,5 +141,5 @@ internal static class TargetRoutes
         => new(string.Format(
             CultureInfo.InvariantCulture,
             "The area has no room for a way of '{0}' ({1}), {2} m from its edge.",
-            target.Name, motion, EdgeDistanceMetres), "area");
+            target.Name, motion, EdgeDistanceMetres), nameof(target));
 }
