@@ -77,7 +77,7 @@ internal sealed class Flight : IDisposable
             Seed = options.Seed,
             TargetCount = options.TargetCount,
             Autopilot = options.Autopilot,
-            Motions = MovingTargets.MotionsOf(options.MovingCount),
+            Motions = SimulatedMotions.MotionsOf(options.MovingCount),
         };
         worldOptions.TakePlacesFrom(mission);
         var world = new SimulatedWorld(worldOptions);
@@ -88,7 +88,7 @@ internal sealed class Flight : IDisposable
         MavlinkSigningKey? key = options.SignKeyFile is { } keyFile ? SigningKeyFile.Read(keyFile) : null;
         UavOptions uavOptions = OptionsOf(options, mission);
         uavOptions.Fusion.TargetMotions =
-            uavOptions.Fusion.TargetMotions.SetItems(MovingTargets.Declare(mission, world));
+            uavOptions.Fusion.TargetMotions.SetItems(SimulatedMotions.Declare(mission, world));
         uavOptions.OpenLinks = [links.A];
         uavOptions.OtherManagers = [world.CreateVehicle(links.B, key)];
         uavOptions.MayCommand = true;
@@ -106,7 +106,8 @@ internal sealed class Flight : IDisposable
         UavSystem uav = OpenSystem(uavOptions, options);
         return new Flight(uav, $"simulated flight: {mission.Name}, seed {FlightText.Number(options.Seed)}, "
             + $"{FlightText.Number(options.TargetCount)} targets"
-            + (options.MovingCount > 0 ? $", {FlightText.Number(options.MovingCount)} of them moving" : string.Empty), key)
+            + (options.MovingCount > 0 ? $", {FlightText.Number(options.MovingCount)} of them moving" : string.Empty),
+            key)
         {
             // Panels of colours that the mission does not search for are not its targets.
             Truth = TargetTruth.Of(world, mission.Targets),

@@ -14,9 +14,9 @@ public sealed class GroupTests : IDisposable
     public void Vehicles_Two_SearchTogetherAndLeaveAReportEach()
     {
         string mission = Path.Combine(_folder.Folder, SmallMission.WriteTo(_folder.Folder));
-        File.WriteAllText(
-            mission, File.ReadAllText(mission).Replace("24", "12", StringComparison.Ordinal)
-                .Replace("\"red\"", "\"red\", \"orange\", \"blue\", \"yellow\", \"magenta\"", StringComparison.Ordinal));
+        const string Colours = "\"red\", \"orange\", \"blue\", \"yellow\", \"magenta\"";
+        string text = File.ReadAllText(mission).Replace("24", "12", StringComparison.Ordinal);
+        File.WriteAllText(mission, text.Replace("\"red\"", Colours, StringComparison.Ordinal));
 
         using ConsoleProcess console = ConsoleProcess.RunIn(
             _folder.Folder, out int exitCode, "--headless", "--vehicles", "2", "--targets", "1", "--mission", mission,

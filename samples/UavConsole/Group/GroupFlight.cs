@@ -42,7 +42,7 @@ internal sealed class GroupFlight : IDisposable
             Seed = options.Seed,
             TargetCount = options.TargetCount,
             Autopilot = options.Autopilot,
-            Motions = MovingTargets.MotionsOf(options.MovingCount),
+            Motions = SimulatedMotions.MotionsOf(options.MovingCount),
         };
         world.TakePlacesFrom(mission);
         var flight = new GroupFlight(
@@ -93,7 +93,7 @@ internal sealed class GroupFlight : IDisposable
             },
         };
         uavOptions.Fusion.TargetMotions =
-            uavOptions.Fusion.TargetMotions.SetItems(MovingTargets.Declare(Mission, simulated.World));
+            uavOptions.Fusion.TargetMotions.SetItems(SimulatedMotions.Declare(Mission, simulated.World));
         options.Preflight.ApplyTo(uavOptions, Mission, isSimulated: true);
         options.Operator.ApplyTo(uavOptions.MissionControl);
         var log = new RunLog(file, $"vehicle {FlightText.Number(number + 1)}: ");

@@ -22,8 +22,8 @@ public sealed class SimulatedTarget
     public TargetClassName Class { get; init; }
 
     /// <summary>
-    /// Where its centre lies in the frame of the world, on the ground, at 0 down; of one that moves, at the start of the
-    /// run.
+    /// Where its centre lies in the frame of the world, on the ground, at 0 down; of one that moves, at the start of
+    /// the run.
     /// </summary>
     public NedPosition Position { get; init; }
 
@@ -55,7 +55,8 @@ public sealed class SimulatedTarget
 
     /// <summary>Where its centre is at a time, in the frame of the world. Any thread.</summary>
     /// <param name="time">By the clock of the run; before the start it is where it is at the start.</param>
-    public NedPosition PositionAt(TimeSpan time) => Route is null ? Position : Route.PositionAt(time + RouteStart) + RouteOffset;
+    public NedPosition PositionAt(TimeSpan time)
+        => Route is null ? Position : Route.PositionAt(time + RouteStart) + RouteOffset;
 
     /// <summary>Its velocity at a time, m/s, in the frame of the world. Any thread.</summary>
     /// <param name="time">By the clock of the run.</param>

@@ -7,7 +7,7 @@ using Rabit.Uav.Simulation;
 namespace UavConsole;
 
 /// <summary>The targets of the simulation that move, for <c>--moving</c>.</summary>
-internal static class MovingTargets
+internal static class SimulatedMotions
 {
     private static readonly SimulatedMotion[] InTurn =
         [SimulatedMotion.Walking, SimulatedMotion.Vehicle, SimulatedMotion.Erratic];
