@@ -8,9 +8,14 @@ namespace Rabit.Uav.Tests.MissionControl;
 /// <summary>Its camera sees the ground below it, and its Sensor Fusion makes tracks of the targets there.</summary>
 internal sealed partial class StandInVehicle
 {
+    private bool _hasReported;
+
     // A picture of 0.9 by 0.68 of the height to each side, twice a second.
     private void TakePicture()
     {
+        if (_hasReported)
+            PostTracks();
+        _hasReported = false;
         _imagingCommand.Fetch();
         Imaging = _imagingCommand.Value;
         if (!CameraSees || _imagingCommand.Value.Mode != ImagingMode.Search || Now < _nextPicture)
@@ -60,6 +65,13 @@ internal sealed partial class StandInVehicle
 
         if (isNews)
             PostTracks();
+    }
+
+    /// <summary>A track of its own pictures, in its next unit of work.</summary>
+    public void Report(TargetTrack track)
+    {
+        Tracks.Add(track);
+        _hasReported = true;
     }
 
     private bool IsSeen(int target)

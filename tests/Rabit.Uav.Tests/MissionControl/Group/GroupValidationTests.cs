@@ -46,6 +46,26 @@ public sealed class GroupValidationTests
     }
 
     [Fact]
+    public void Target_FoundByTwoAtOnce_IsValidatedOnce()
+    {
+        using GroupRig rig = Open(3, targets: 0);
+        Assert.True(rig.RunUntil(() => rig.Rigs.All(r => r.Status.Phase == MissionPhase.Searching), 200), rig.Story);
+        for (int i = 0; i < 2; i++)
+        {
+            StandInVehicle vehicle = rig.Rigs[i].Vehicle;
+            vehicle.Report(vehicle.MakeTrack(7, 200, 20 - (20 * i), DefaultTargetClasses.Red, 9, TrackState.Confirmed));
+        }
+
+        // Two wait for bids; one of them is left to the other.
+        Assert.True(rig.RunUntil(() => Tasks(rig, 0).Count() == 2, 3), rig.Story);
+        rig.Run(3);
+        Assert.Single(Tasks(rig, 0), t => t.State == ValidationState.Awarded);
+        Assert.Equal([1], Tasks(rig, 0).Where(t => t.State != ValidationState.Closed).Select(t => (int)t.Finder));
+    }
+
+    private static IEnumerable<ValidationTask> Tasks(GroupRig rig, int vehicle) => rig.StatusOf(vehicle).Validations;
+
+    [Fact]
     public void Target_ValidatorIsLost_IsValidatedByTheThird()
     {
         using GroupRig rig = Open(3);

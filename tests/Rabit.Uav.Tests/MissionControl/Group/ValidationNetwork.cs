@@ -8,12 +8,11 @@ using Rabit.Uav.MissionControl;
 namespace Rabit.Uav.Tests.MissionControl.Group;
 
 /// <summary>
-/// Finders and bidders of some vehicles, and a network that loses, delays and doubles what they send. A job takes 20 s.
-/// Vehicle 1 finds the targets.
+/// Finders and bidders of some vehicles, and a network that loses, delays and doubles what they send. Vehicle 1 finds
+/// the targets.
 /// </summary>
 internal sealed class ValidationNetwork
 {
-    public const double JobSeconds = 20;
     private const double Step = 0.1;
 
     private readonly List<Node> _nodes = [];
@@ -32,6 +31,9 @@ internal sealed class ValidationNetwork
     public double Seconds { get; private set; }
 
     public double Loss { get; set; }
+
+    /// <summary>How long a target is flown over.</summary>
+    public double JobSeconds { get; set; } = 20;
 
     public double MaxDelaySeconds { get; set; } = 0.1;
 
@@ -169,7 +171,7 @@ internal sealed class ValidationNetwork
                 (_job, _since) = (null, null);
             if (_job is null && Bidder.Next is { } next)
                 (_job, _since) = (next, _network.Seconds);
-            if (_job is not { } done || _network.Seconds - _since < JobSeconds)
+            if (_job is not { } done || _network.Seconds - _since < _network.JobSeconds)
                 return;
             Bidder.Finish(done, _network.Shown, Now);
             _network.Finished.Add(_number);

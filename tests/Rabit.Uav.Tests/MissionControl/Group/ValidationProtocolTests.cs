@@ -84,6 +84,24 @@ public sealed class ValidationProtocolTests
     }
 
     [Fact]
+    public void Answer_ToAnEarlierAward_ChangesNothing()
+    {
+        var network = new ValidationNetwork(2, seed: 1);
+        network.Announce();
+        Assert.True(network.RunUntil(() => network.Underway.Length == 1, 5));
+        network.Reaches = (_, _) => false;
+        network.Run(15);
+        network.Reaches = (_, _) => true;
+        Assert.True(network.RunUntil(() => network.Task is { State: ValidationState.Awarded, Award: 2 }, 5));
+        var late = new ValidationBid
+        {
+            Session = network.Task.Session, Number = 1, Award = 1, State = ValidationBidState.Declined,
+        };
+        network.Finder.Receive(2, late, TimeSpan.FromSeconds(network.Seconds));
+        Assert.Equal(ValidationState.Awarded, network.Task.State);
+    }
+
+    [Fact]
     public void Finder_Restarts_ItsNumbersAreNotThoseOfBefore()
     {
         var network = new ValidationNetwork(3, seed: 1);
@@ -138,12 +156,12 @@ public sealed class ValidationProtocolTests
         int doubles = 0;
         for (int seed = 1; seed <= 100; seed++)
         {
-            var network = new ValidationNetwork(4, seed) { Loss = 0.4, Duplicates = 0.1 };
+            var network = new ValidationNetwork(4, seed) { Loss = 0.4, Duplicates = 0.1, JobSeconds = 45 };
             network.Announce();
             Assert.True(network.RunUntil(() => network.Underway.Length == 1, 20), $"seed {seed}");
             int first = network.Underway[0];
             network.Reaches = (from, to) => (from == first) == (to == first);
-            network.Run(18);
+            network.Run(20);
             doubles += network.Underway.Length == 2 ? 1 : 0;
             network.Reaches = (_, _) => true;
             network.Run(3);
