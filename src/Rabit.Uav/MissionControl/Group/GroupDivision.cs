@@ -87,12 +87,16 @@ internal sealed class GroupDivision
     /// <param name="present">The others that are received.</param>
     /// <param name="metresLeft">What a vehicle had left of its lanes, by its last report.</param>
     /// <param name="divide">Divides all lanes among vehicles.</param>
+    /// <param name="mayBalance">
+    /// Whether it is known what was flown; without a camera it is not, and lanes would be flown again.
+    /// </param>
     /// <param name="now">The time.</param>
     /// <returns>Whether the division is to be sent.</returns>
     public bool Update(
         in GroupReport own, byte ownSystemId, IReadOnlyList<(byte SystemId, GroupReport Report)> present,
         Func<byte, double> metresLeft,
-        Func<IReadOnlyList<(byte SystemId, GroupReport Report)>, ImmutableArray<LaneShare>> divide, TimeSpan now)
+        Func<IReadOnlyList<(byte SystemId, GroupReport Report)>, ImmutableArray<LaneShare>> divide, bool mayBalance,
+        TimeSpan now)
     {
         _begun ??= now;
         if (ownSystemId != AuthorOf(own, ownSystemId, present) || now - _begun.Value < FirstAfter)
@@ -105,7 +109,7 @@ internal sealed class GroupDivision
         // After a restart the others still follow a number of ours from before it.
         bool isTaken = Author == ownSystemId
             && !present.Any(m => m.Report.DivisionAuthor == ownSystemId && IsNewer(m.Report.DivisionNumber, Number));
-        if (isNeeded || IsUnbalanced(available, now))
+        if (isNeeded || (mayBalance && IsUnbalanced(available, now)))
             Set(ownSystemId, divide(available), isTaken, present, now);
         else if (!isTaken)
             Set(ownSystemId, Shares, isTaken, present, now);

@@ -93,7 +93,8 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         if (Lanes is { } lanes)
         {
             if (_division.Update(
-                _own, SystemId, present, MetresLeftOf, m => Divide(flight, lanes, m), flight.Now))
+                _own, SystemId, present, MetresLeftOf, m => Divide(flight, lanes, m), mayBalance: lanes.Changes > 0,
+                flight.Now))
                 Sender?.Send(DivisionOf(lanes));
             if (phase != MissionPhase.Searching)
                 TakeShare(flight);
@@ -153,7 +154,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         int busy = _members.Present(flight.Now)
             .Count(m => m.Report.State == GroupMemberState.Available && m.Report.MetresLeft > 0);
         return busy > 0
-            ? $"our lanes are flown; of the others {MissionNumbers.Of(busy)} are still searching"
+            ? $"our lanes are flown; others still searching: {MissionNumbers.Of(busy)}"
             : HasOthers(flight) && _validation?.IsPending == true
                 ? "our lanes are flown; targets are still being validated"
                 : null;

@@ -179,7 +179,7 @@ public sealed class GroupDivisionTests
             (byte, GroupReport)[] present = _others.OrderBy(o => o.Key).Select(o => (o.Key, o.Value)).ToArray();
             _own.DivisionNumber = _division.Number;
             double LeftOf(byte id) => id == 5 ? _own.MetresLeft : _others[id].MetresLeft;
-            sent += _division.Update(_own, 5, present, LeftOf, Equally, _now) ? 1 : 0;
+            sent += _division.Update(_own, 5, present, LeftOf, Equally, mayBalance: true, _now) ? 1 : 0;
         }
 
         return sent;

@@ -36,6 +36,27 @@ public sealed class GroupSearchTests
     }
 
     [Fact]
+    public void Search_OneIsSlow_TheOthersTakeSomeOfItsLanes()
+    {
+        using GroupRig rig = Open(3);
+        rig.Rigs[1].Vehicle.MaxSpeed = 3;
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.All(rig.Rigs, r => Assert.True(r.Status.Coverage >= 0.98, rig.Story));
+        Assert.True(rig.Rigs[1].Status.LanesFlown < 3, rig.Story);
+    }
+
+    [Fact]
+    public void Search_WithoutCameraAndOneIsSlow_NoLaneIsFlownTwice()
+    {
+        using var rig = new GroupRig(
+            3, MissionRig.Mission(area: Field), change: (_, options) => options.RequiresCamera = false);
+        rig.Rigs.ForEach(r => (r.Vehicle.HasCamera, r.Vehicle.CameraSees) = (false, false));
+        rig.Rigs[1].Vehicle.MaxSpeed = 3;
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.Equal(10, rig.Rigs.Sum(r => r.Status.LanesFlown));
+    }
+
+    [Fact]
     public void Search_Alone_HasAllLanes()
     {
         using GroupRig rig = Open(1);
