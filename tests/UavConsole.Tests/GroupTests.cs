@@ -15,8 +15,8 @@ public sealed class GroupTests : IDisposable
     {
         string mission = Path.Combine(_folder.Folder, SmallMission.WriteTo(_folder.Folder));
         const string Colours = "\"red\", \"orange\", \"blue\", \"yellow\", \"magenta\"";
-        string text = File.ReadAllText(mission).Replace("24", "12", StringComparison.Ordinal);
-        File.WriteAllText(mission, text.Replace("\"red\"", Colours, StringComparison.Ordinal));
+        string text = File.ReadAllText(mission).Replace("24", "12");
+        File.WriteAllText(mission, text.Replace("\"red\"", Colours));
 
         using ConsoleProcess console = ConsoleProcess.RunIn(
             _folder.Folder, out int exitCode, "--headless", "--vehicles", "2", "--targets", "1", "--mission", mission,
@@ -26,13 +26,13 @@ public sealed class GroupTests : IDisposable
         Assert.Empty(console.Errors);
         Assert.Contains("--- summary of 2 vehicles ---", console.Output);
         Assert.Contains("mission: ACCOMPLISHED", console.Output);
-        Assert.Contains("1 of 1 targets found, 0 false", string.Join("\n", console.Output), StringComparison.Ordinal);
-        Assert.Single(console.Output, l => l.Contains(": found by vehicle ", StringComparison.Ordinal)
+        Assert.Contains("1 of 1 targets found, 0 false", string.Join("\n", console.Output));
+        Assert.Single(console.Output, l => l.Contains(": found by vehicle ")
             && l.EndsWith(" confirmed", StringComparison.Ordinal));
         for (int vehicle = 1; vehicle <= 2; vehicle++)
         {
             string page = File.ReadAllText(Path.Combine(_folder.Folder, $"r-vehicle-{vehicle}.html"));
-            Assert.Contains($"vehicle {vehicle} of 2", page, StringComparison.Ordinal);
+            Assert.Contains($"vehicle {vehicle} of 2", page);
         }
     }
 
@@ -47,7 +47,7 @@ public sealed class GroupTests : IDisposable
         using ConsoleProcess console = ConsoleProcess.RunIn(_folder.Folder, out int exitCode, arguments.Split(' '));
 
         Assert.Equal(2, exitCode);
-        Assert.Contains(expected, string.Join("\n", console.Errors), StringComparison.Ordinal);
+        Assert.Contains(expected, string.Join("\n", console.Errors));
     }
 
     public void Dispose() => _folder.Dispose();

@@ -57,13 +57,14 @@ public sealed class GroupValidationTests
         }
 
         // Two wait for bids; one of them is left to the other.
-        Assert.True(rig.RunUntil(() => Tasks(rig, 0).Count() == 2, 3), rig.Story);
+        Assert.True(rig.RunUntil(() => Tasks(rig, 0).Length == 2, 3), rig.Story);
         rig.Run(3);
         Assert.Single(Tasks(rig, 0), t => t.State == ValidationState.Awarded);
         Assert.Equal([1], Tasks(rig, 0).Where(t => t.State != ValidationState.Closed).Select(t => (int)t.Finder));
     }
 
-    private static IEnumerable<ValidationTask> Tasks(GroupRig rig, int vehicle) => rig.StatusOf(vehicle).Validations;
+    private static ImmutableArray<ValidationTask> Tasks(GroupRig rig, int vehicle)
+        => rig.StatusOf(vehicle).Validations;
 
     [Fact]
     public void Target_ValidatorIsLost_IsValidatedByTheThird()

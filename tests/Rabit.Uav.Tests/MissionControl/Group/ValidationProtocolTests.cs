@@ -95,7 +95,10 @@ public sealed class ValidationProtocolTests
         Assert.True(network.RunUntil(() => network.Task is { State: ValidationState.Awarded, Award: 2 }, 5));
         var late = new ValidationBid
         {
-            Session = network.Task.Session, Number = 1, Award = 1, State = ValidationBidState.Declined,
+            Session = network.Task.Session,
+            Number = 1,
+            Award = 1,
+            State = ValidationBidState.Declined,
         };
         network.Finder.Receive(2, late, TimeSpan.FromSeconds(network.Seconds));
         Assert.Equal(ValidationState.Awarded, network.Task.State);
