@@ -21,6 +21,7 @@ internal sealed class GroupFlight : IDisposable
     private GroupFlight(SimulatedGroup group, MissionFile file, MissionPlan mission)
         => (Group, MissionFile, Mission) = (group, file, mission);
 
+    /// <summary>For the thread that simulates.</summary>
     public SimulatedGroup Group { get; }
 
     public MissionFile MissionFile { get; }
@@ -28,6 +29,9 @@ internal sealed class GroupFlight : IDisposable
     public MissionPlan Mission { get; }
 
     public List<GroupVehicle> Vehicles { get; } = [];
+
+    /// <summary>The time of the vehicles. Any thread.</summary>
+    public TimeSpan Now => Vehicles.Max(v => v.Monitor.Now);
 
     /// <summary>Where the targets really are.</summary>
     public TargetTruth Truth => TargetTruth.Of(Group.Vehicles[0].World, Mission.Targets);

@@ -18,9 +18,9 @@ internal sealed class GroupLines(GroupFlight flight)
             Refresh();
             if (refresh % RefreshesPerTable != 0)
                 continue;
-            Console.WriteLine(FlightText.TimeStamp(flight.Group.Now) + GroupText.Head);
+            Console.WriteLine(FlightText.TimeStamp(flight.Now) + GroupText.Head);
             foreach (GroupVehicle vehicle in flight.Vehicles)
-                Console.WriteLine(FlightText.TimeStamp(flight.Group.Now) + GroupText.Row(vehicle));
+                Console.WriteLine(FlightText.TimeStamp(flight.Now) + GroupText.Row(vehicle));
         }
 
         Refresh();

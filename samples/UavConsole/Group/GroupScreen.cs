@@ -80,6 +80,6 @@ internal sealed class GroupScreen(GroupFlight flight)
 
     private string Title() => string.Format(
         CultureInfo.InvariantCulture, "{0}   {1} vehicles   {2} (x{3:0.0})", FlightText.Printable(flight.Mission.Name),
-        flight.Vehicles.Count, FlightText.Clock(flight.Group.Now),
-        flight.Group.Now.TotalSeconds / Math.Max(0.2, _wall.Elapsed.TotalSeconds));
+        flight.Vehicles.Count, FlightText.Clock(flight.Now),
+        flight.Now.TotalSeconds / Math.Max(0.2, _wall.Elapsed.TotalSeconds));
 }

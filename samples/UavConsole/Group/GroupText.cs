@@ -17,7 +17,7 @@ internal static class GroupText
     public static string Row(GroupVehicle vehicle)
     {
         string name = FlightText.Number(vehicle.Simulated.SystemId);
-        if (!vehicle.Simulated.HasStarted)
+        if (!vehicle.HasStarted)
             return Line(name, "-", "-", "-", "-", "-", "-", "not switched on yet");
         MissionStatus mission = vehicle.Mission;
         VehicleState state = vehicle.Monitor.Vehicle;
@@ -29,7 +29,7 @@ internal static class GroupText
             FlightText.Number(mission.Coverage * 100, "0' %'"),
             state.PositionTime is null ? "-" : FlightText.Number(state.HeightAboveHomeMetres, "0' m'"),
             state.BatteryTime is null ? "-" : FlightText.Number(state.BatteryRemaining * 100, "0' %'"),
-            vehicle.Simulated.IsLost ? "LOST" : FlightText.Printable(mission.Text ?? string.Empty));
+            FlightText.Printable(mission.Text ?? string.Empty));
     }
 
     /// <summary>The lines of all logs that are new, in the order of their times.</summary>

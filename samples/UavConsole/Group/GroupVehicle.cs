@@ -10,12 +10,13 @@ namespace UavConsole;
 /// <summary>One vehicle of a group: its companion computer, and what is shown and kept of it.</summary>
 internal sealed class GroupVehicle
 {
-    private readonly MessageSubscriber<GroupStatus> _status;
+    private readonly RabitReactor _reactor;
+    private readonly MessageSubscriber<GroupStatus> _status; // of the thread of the view
     private readonly MessageSubscriber<MissionStatus> _mission; // of the thread that simulates
 
     public GroupVehicle(SimulatedGroupVehicle simulated, UavSystem uav, RabitReactor reactor, RunLog log)
     {
-        (Simulated, Uav, Log) = (simulated, uav, log);
+        (Simulated, Uav, _reactor, Log) = (simulated, uav, reactor, log);
         var recorder = new FlightRecorderManager(new FlightRecorderOptions
         {
             ManagerNames = reactor.Select(m => m.Name).ToArray(),
@@ -27,7 +28,11 @@ internal sealed class GroupVehicle
         Monitor = new FlightMonitor(reactor, recorder, uav.LinkCount);
     }
 
+    /// <summary>For the thread that simulates.</summary>
     public SimulatedGroupVehicle Simulated { get; }
+
+    /// <summary>Whether it is switched on. Any thread.</summary>
+    public bool HasStarted => _reactor.IsWired;
 
     public UavSystem Uav { get; }
 
@@ -54,7 +59,7 @@ internal sealed class GroupVehicle
     /// <summary>Fetches all news; there is none before it is switched on.</summary>
     public void Refresh()
     {
-        if (!Simulated.HasStarted)
+        if (!HasStarted)
             return;
         Monitor.Refresh();
         _status.Fetch();
