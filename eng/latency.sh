@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Measures the latencies on both runtimes, about ten minutes each, and writes the tables into docs/concepts/performance.md. For a quiet machine.
+# Measures the latencies on both runtimes, about ten minutes each, and writes the tables into docs/concepts/performance-measurements.md. For a quiet machine.
 # Options go to the runner, for example --rounds 3 or the names of modes.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-document=docs/concepts/performance.md
+document=docs/concepts/performance-measurements.md
 status=0
 dotnet build benchmarks/Rabit.Latency -c Release -v quiet
 dotnet build benchmarks/Rabit.Latency -c Release -p:RabitMono=true -v quiet
