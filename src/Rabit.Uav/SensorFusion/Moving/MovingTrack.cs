@@ -59,6 +59,9 @@ internal sealed class MovingTrack(TrackerSettings settings)
         (Id, Class, Marker) = (id, point.Class, point.Marker);
         (Existence, StartExistence) = (existence, existence);
         (IsConfirmed, Points, Misses) = (false, 1, 0);
+        // What was expected of the target before, which may have been anywhere, is nothing of this one.
+        (Widest, _quiet, _hasTwoModes) = (default, default, false);
+        (MissProbability, IsTooNew) = (1, false);
         FirstSeen = point.Measurement.Time;
         Description.Clear();
         History = default;

@@ -76,6 +76,21 @@ public class MovingTrackerTests(ITestOutputHelper output)
     }
 
     [Fact]
+    public void Update_NewTargetAfterOneThatMayBeAnywhere_IsTracked()
+    {
+        MovingTracker tracker = Tracker();
+        for (int i = 0; i < 6; i++)
+            Look(tracker, i, (i, 0, Walkers, -1));
+        int second = 6;
+        while (tracker.Tracks.Count > 0)
+            tracker.Update(new Scan(TimeSpan.FromSeconds(second++), 1, 0.9), []);
+        for (int i = 0; i < 8; i++)
+            Look(tracker, second + i, (i, 40, Walkers, -1));
+        Assert.Equal(8, Assert.Single(Confirmed(tracker)).Points);
+        Assert.Equal(2, tracker.TracksStarted);
+    }
+
+    [Fact]
     public void Update_TwoClassesAtOnePlace_AreTwoTracks()
     {
         MovingTracker tracker = Tracker();
