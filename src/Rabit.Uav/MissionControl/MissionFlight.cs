@@ -341,7 +341,8 @@ internal sealed class MissionFlight(
     /// Above ground, on the whole way there too; above home where the ground is taken for level.
     /// </param>
     /// <param name="yawRadians">The heading, clockwise from true north.</param>
-    public void SetGoalPosition(PlanePoint to, double heightMetres, double yawRadians)
+    /// <param name="speed">Metres per second; null for that of the mission.</param>
+    public void SetGoalPosition(PlanePoint to, double heightMetres, double yawRadians, double? speed = null)
     {
         if (Plan!.Terrain is not null)
             heightMetres = HeightOnTheWay(to, heightMetres);
@@ -352,7 +353,7 @@ internal sealed class MissionFlight(
             Latitude = position.Latitude,
             Longitude = position.Longitude,
             HeightAboveHomeMetres = heightMetres,
-            SpeedMetresPerSecond = Mission.SpeedMetresPerSecond,
+            SpeedMetresPerSecond = speed ?? Mission.SpeedMetresPerSecond,
             Yaw = Angle.FromRadians(yawRadians),
             LoiterRadiusMetres = IsFixedWing ? Options.FixedWing?.LoiterRadiusMetres ?? 0 : 0,
         };

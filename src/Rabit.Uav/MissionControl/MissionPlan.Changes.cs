@@ -39,7 +39,7 @@ public sealed partial class MissionPlan
 
     /// <summary>The same, flown higher, also where targets are revisited.</summary>
     internal MissionPlan HigherBy(double metres)
-        => new(this) { HeightMetres = HeightMetres + metres, Revisit = Revisit.With(heightMetres: null) };
+        => new(this) { HeightMetres = HeightMetres + metres, Revisit = new(Revisit) { HeightMetres = null } };
 
     /// <summary>One of its values, as a number; <see cref="With"/> sets it.</summary>
     internal double Get(MissionParameter parameter) => parameter switch
@@ -62,12 +62,12 @@ public sealed partial class MissionPlan
         MissionParameter.Height => new(this) { HeightMetres = value },
         MissionParameter.Speed => WithSpeed(value),
         MissionParameter.LaneSpacing => new(this) { LaneSpacingMetres = value },
-        MissionParameter.Revisits => new(this) { Revisit = Revisit.With(isEnabled: value > 0.5) },
+        MissionParameter.Revisits => new(this) { Revisit = new(Revisit) { IsEnabled = value > 0.5 } },
         MissionParameter.RevisitHeight => new(this)
         {
-            Revisit = Revisit.With(heightMetres: value.Equals(0) ? null : value),
+            Revisit = new(Revisit) { HeightMetres = value.Equals(0) ? null : value },
         },
-        MissionParameter.RevisitRadius => new(this) { Revisit = Revisit.With(radiusMetres: value) },
+        MissionParameter.RevisitRadius => new(this) { Revisit = new(Revisit) { RadiusMetres = value } },
         MissionParameter.BatteryAtStart => new(this) { MinBatteryFractionAtStart = value },
         MissionParameter.EnergyReserve => new(this) { EnergyReserveFraction = value },
         MissionParameter.RequiredCoverage => new(this) { RequiredCoverage = value },

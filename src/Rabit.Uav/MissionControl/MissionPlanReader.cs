@@ -88,6 +88,8 @@ internal static class MissionPlanReader
                 HeightMetres = revisit.Number("heightMetres"),
                 RadiusMetres = revisit.Number("radiusMetres") ?? 10,
                 MaxWayFraction = revisit.Number("maxWayFraction") ?? 1.0 / 3,
+                FollowTime = TimeSpan.FromSeconds(revisit.Number("followSeconds") ?? 20),
+                FollowSpeedMetresPerSecond = revisit.Number("followSpeedMetresPerSecond"),
             },
             CameraPitch = Angle.FromDegrees(camera.Number("pitchDegrees") ?? -90),
             CameraYaw = Angle.FromDegrees(camera.Number("yawDegrees") ?? 0),

@@ -77,6 +77,10 @@ internal static class MissionPlanRules
         yield return ("revisit.heightMetres", plan.Revisit.HeightMetres ?? 5, 5, MaxHeightMetres);
         yield return ("revisit.radiusMetres", plan.Revisit.RadiusMetres, 0, 100);
         yield return ("revisit.maxWayFraction", plan.Revisit.MaxWayFraction, 0, 10);
+        yield return ("revisit.followSeconds", plan.Revisit.FollowTime.TotalSeconds, 0, 3600);
+        yield return (
+            "revisit.followSpeedMetresPerSecond", plan.Revisit.FollowSpeedMetresPerSecond ?? MinSpeed, MinSpeed,
+            MaxSpeed);
         yield return ("camera.pitchDegrees", ToDegrees(plan.CameraPitch), -90, -20);
         yield return ("camera.yawDegrees", ToDegrees(plan.CameraYaw), -180, 180);
         yield return ("limits.minBatteryFractionAtStart", plan.MinBatteryFractionAtStart, 0, 1);

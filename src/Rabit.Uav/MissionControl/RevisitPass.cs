@@ -58,9 +58,16 @@ internal sealed class RevisitPass
             from r in radius > 0 ? new[] { radius, radius / 2, 0 } : [0]
             from direction in Directions
             let heading = first + (direction * Math.PI / 180)
-            select new RevisitPass(target - Sight(flight, target, heading), heading, r);
+            select new RevisitPass(PlaceToSee(flight, target, heading), heading, r);
         return passes.FirstOrDefault(pass => pass.IsInside(flight));
     }
+
+    /// <summary>Where the vehicle is when the optical axis of its camera meets a target.</summary>
+    /// <param name="flight">The vehicle and the mission.</param>
+    /// <param name="target">Where the target is.</param>
+    /// <param name="headingRadians">Of the vehicle.</param>
+    public static PlanePoint PlaceToSee(MissionFlight flight, PlanePoint target, double headingRadians)
+        => target - Sight(flight, target, headingRadians);
 
     // From the vehicle to where the optical axis meets the ground; the mission's pitch is at most -20 degrees.
     private static PlanePoint Sight(MissionFlight flight, PlanePoint target, double headingRadians)

@@ -1,8 +1,23 @@
+using System;
+
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>How each confirmed target is revisited, that is, observed once more from overhead. Immutable.</summary>
+/// <summary>
+/// How each confirmed target is revisited, that is, observed once more from overhead; one that moves is followed.
+/// Immutable.
+/// </summary>
 public sealed class RevisitPlan
 {
+    /// <summary>Makes one with the default values.</summary>
+    public RevisitPlan()
+    {
+    }
+
+    internal RevisitPlan(RevisitPlan other)
+        => (IsEnabled, HeightMetres, RadiusMetres, MaxWayFraction, FollowTime, FollowSpeedMetresPerSecond)
+            = (other.IsEnabled, other.HeightMetres, other.RadiusMetres, other.MaxWayFraction, other.FollowTime,
+                other.FollowSpeedMetresPerSecond);
+
     /// <summary>Whether targets are revisited.</summary>
     public bool IsEnabled { get; init; } = true;
 
@@ -22,27 +37,14 @@ public sealed class RevisitPlan
     /// </summary>
     public double MaxWayFraction { get; init; } = 1.0 / 3;
 
-    internal RevisitPlan With(bool isEnabled) => new()
-    {
-        IsEnabled = isEnabled,
-        HeightMetres = HeightMetres,
-        RadiusMetres = RadiusMetres,
-        MaxWayFraction = MaxWayFraction,
-    };
+    /// <summary>
+    /// For how long a target of a class that moves is kept in view; zero to revisit it as one that stands.
+    /// </summary>
+    public TimeSpan FollowTime { get; init; } = TimeSpan.FromSeconds(20);
 
-    internal RevisitPlan With(double? heightMetres) => new()
-    {
-        IsEnabled = IsEnabled,
-        HeightMetres = heightMetres,
-        RadiusMetres = RadiusMetres,
-        MaxWayFraction = MaxWayFraction,
-    };
-
-    internal RevisitPlan With(double radiusMetres) => new()
-    {
-        IsEnabled = IsEnabled,
-        HeightMetres = HeightMetres,
-        RadiusMetres = radiusMetres,
-        MaxWayFraction = MaxWayFraction,
-    };
+    /// <summary>
+    /// How fast the vehicle flies to keep a target in view, metres per second; null, or less than the speed of the
+    /// search, for that.
+    /// </summary>
+    public double? FollowSpeedMetresPerSecond { get; init; }
 }

@@ -96,7 +96,12 @@ internal sealed class Revisits
             PlanePoint target = PositionOf(track, flight);
             double distance = target.DistanceTo(here);
             bool isNearer = distance < least || (distance.Equals(least) && track.Id < nearest!.Id);
-            if (isNearer && (isOnLane ? IsPassing(flight.Route!, here, target) : IsTimely(flight.Route!, here, target)))
+            // One that moves is gone later.
+            bool isNow = track.Motion != TargetMotion.Standing && flight.Mission.Revisit.FollowTime > TimeSpan.Zero;
+            bool isTime = isNow || (isOnLane
+                ? IsPassing(flight.Route!, here, target)
+                : IsTimely(flight.Route!, here, target));
+            if (isNearer && isTime)
                 (nearest, least) = (track, distance);
         }
 
@@ -169,6 +174,12 @@ internal sealed class Revisits
         else
             Failed++;
     }
+
+    /// <summary>Whether a track is not to be revisited any more.</summary>
+    public bool IsFinished(int id) => _finished.Contains(id);
+
+    /// <summary>A track that ended while its target was followed, and goes on as another.</summary>
+    public void Continue(int id) => _finished.Add(id);
 
     public static TargetTrack? Find(MissionFlight flight, int id)
         => flight.Tracks.Tracks.FirstOrDefault(t => t.Id == id);

@@ -120,7 +120,7 @@ internal sealed class SearchFlight : IDisposable
     public bool IsOver => Mission.Phase is MissionPhase.Done or MissionPhase.HandedOver or MissionPhase.Failed;
 
     /// <summary>The mission that UavConsole flies without arguments.</summary>
-    public static MissionPlan BundledPlan() => Plan("search");
+    public static MissionPlan BundledPlan() => MissionPlan.Parse(BundledText, "search");
 
     /// <summary>As <see cref="SmallMission"/>.</summary>
     public static MissionPlan SmallPlan() => MissionPlan.Parse(SmallMission, "small");
@@ -135,9 +135,10 @@ internal sealed class SearchFlight : IDisposable
         Faults = faults,
     };
 
-    private static MissionPlan Plan(string name)
-        => MissionPlan.Parse(
-            File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "data", "missions", name + ".json")), name);
+    /// <summary>The text of <see cref="BundledPlan"/>.</summary>
+    public static string BundledText
+        => File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "data", "missions", "search.json"));
+
 
     /// <summary>Flies until the mission is over, and then until motors are off or the time limit is reached.</summary>
     public void Fly(TimeSpan atMost)

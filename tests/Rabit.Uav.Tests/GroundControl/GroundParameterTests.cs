@@ -202,7 +202,8 @@ public sealed class GroundParameterTests : IDisposable
             + "\"targetClasses\": {\"green\": {\"colour\": \"#20a040\"}},"
             + "\"fenceMarginMetres\": 51, \"requiredCoverage\": 0.7,"
             + "\"obstacleHeightMetres\": 3,"
-            + "\"revisit\": {\"heightMetres\": 20, \"radiusMetres\": 7, \"maxWayFraction\": 2},"
+            + "\"revisit\": {\"heightMetres\": 20, \"radiusMetres\": 7, \"maxWayFraction\": 2, "
+            + "\"followSeconds\": 33, \"followSpeedMetresPerSecond\": 9},"
             + "\"camera\": {\"pitchDegrees\": -70, \"yawDegrees\": 5, \"gimbal\": true}, \"allowPartialSearch\": true,"
             + "\"home\": {\"latitudeDegrees\": 47.3977, \"longitudeDegrees\": 8.5456}, \"name\": \"all\","
             + "\"groundStationLost\": {\"action\": \"hold\"}, \"limits\": {\"minBatteryFractionAtStart\": 0.6,"
@@ -220,6 +221,8 @@ public sealed class GroundParameterTests : IDisposable
         Assert.Equal(
             (false, 30.0, 4.0, 2.0),
             (revisit.IsEnabled, revisit.HeightMetres, revisit.RadiusMetres, revisit.MaxWayFraction));
+        Assert.Equal(
+            (33, 9), ((int)revisit.FollowTime.TotalSeconds, revisit.FollowSpeedMetresPerSecond));
     }
 
     public void Dispose() => _ground.Dispose();

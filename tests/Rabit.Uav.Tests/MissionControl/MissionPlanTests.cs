@@ -100,6 +100,8 @@ public class MissionPlanTests
     [InlineData("\"fenceMarginMetres\": 501", "fenceMarginMetres is 501; it must be 0 to 500")]
     [InlineData("\"revisit\": {\"enabled\": 1}", "revisit.enabled is 1; it must be true or false")]
     [InlineData(
+        "\"revisit\": {\"followSeconds\": -1}", "revisit.followSeconds is -1; it must be 0 to 3600")]
+    [InlineData(
         "\"revisit\": {\"maxWayFraction\": -0.1}", "revisit.maxWayFraction is -0.1; it must be 0 to 10")]
     [InlineData("\"revisit\": {\"heightMetres\": 2}", "revisit.heightMetres is 2; it must be 5 to 120")]
     [InlineData("\"camera\": {\"pitchDegrees\": -91}", "camera.pitchDegrees is -91; it must be -90 to -20")]

@@ -5,7 +5,7 @@ namespace Rabit.Uav.MissionControl;
 
 /// <summary>
 /// Revisits one confirmed target: flies over it across the lanes and back, so that the camera observes it from other
-/// directions, until there are a few more reports of it.
+/// directions, until there are a few more reports of it. One that moves is followed.
 /// </summary>
 internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
 {
@@ -20,6 +20,7 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
     private int _track; // 0 for a place
     private double _speed;
     private int _reportsBefore;
+    private TargetFollower? _follower; // null for a target that stands
     private RevisitPass _pass = null!; // planned when the phase is entered
     private bool _isAtStart;
     private bool _isThrough;
@@ -46,12 +47,17 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
         _transit.Begin(flight, _pass.IsThrough ? _pass.Start : _pass.Overhead);
         _speed = flight.Mission.SpeedMetresPerSecond;
         _limit = PathFollower.TimeLimit(flight, _pass.LengthFrom(flight.Position)) + MaxHold;
+        bool isFollowed = track is { Motion: not TargetMotion.Standing }
+            && flight.Mission.Revisit.FollowTime > TimeSpan.Zero && !flight.IsFixedWing;
+        _follower = isFollowed ? new TargetFollower(flight, track!, _pass.HeadingRadians) : null;
     }
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
         if (flight.Commands.Failures >= MaxFailures)
             return ReturnToLaunch(flight.Commands.LastFailure);
+        if (_follower is { } follower)
+            return Follow(flight, follower);
         _limit += PathFollower.MoreTime(flight, ref _speed);
         TargetTrack? track = Revisits.Find(flight, _track);
         bool isWanted = _look is not null ? ReferenceEquals(flight.Group!.CurrentLook, _look)
@@ -91,6 +97,19 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
         return isEnough || held >= MaxHold
             ? Finish(flight, wasObserved: reports > 0, track is null ? "flown over" : Accuracy(track, reports))
             : MissionStep.Stay;
+    }
+
+    private MissionStep Follow(MissionFlight flight, TargetFollower follower)
+    {
+        bool isOver = follower.Tick(flight);
+        _track = follower.TrackId;
+        flight.Text = $"following track {MissionNumbers.Of(_track)}";
+        if (!isOver)
+            return MissionStep.Stay;
+        string inView = $"{MissionNumbers.Of((int)follower.InView.TotalSeconds)} s in view";
+        bool isEnough = follower.InView >= flight.Mission.Revisit.FollowTime;
+        return Finish(
+            flight, wasObserved: follower.InView > TimeSpan.Zero, (isEnough ? "followed, " : "lost, ") + inView);
     }
 
     private bool FlyTo(MissionFlight flight, PlanePoint place)
