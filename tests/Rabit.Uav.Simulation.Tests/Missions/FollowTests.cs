@@ -22,7 +22,7 @@ public sealed class FollowTests(ITestOutputHelper output)
     [Fact]
     public void Search_WalkerAndCar_AreFollowedAndKeptInView()
     {
-        FollowFigures figures = Fly(2);
+        FollowFigures figures = Fly(9);
         Assert.True(figures.Followed >= 2, $"followed {figures.Followed}");
         Assert.InRange(figures.InViewShare, 0.95, 1);
         Assert.InRange(figures.Rmse, 0, 4);
