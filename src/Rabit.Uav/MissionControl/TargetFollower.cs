@@ -34,7 +34,6 @@ internal sealed class TargetFollower
     private readonly TransitPath _transit = new();
     private readonly double _heading;
     private readonly double _height;
-    private readonly double _speed;
     private readonly TargetClassName _class;
     private readonly TimeSpan _wayThere;
     private PlanePoint _goal;
@@ -51,14 +50,12 @@ internal sealed class TargetFollower
     {
         (TrackId, _heading) = (track.Id, headingRadians);
         _height = flight.Mission.Revisit.HeightMetres ?? flight.Mission.HeightMetres;
-        _speed = Math.Max(
-            flight.Mission.SpeedMetresPerSecond, flight.Mission.Revisit.FollowSpeedMetresPerSecond ?? 0);
         _class = track.Class;
         _lastTick = _lastInView = flight.ActiveTime;
         _goal = flight.Position;
         _transit.Begin(flight, _goal);
         PlanePoint first = GoalFor(flight, track);
-        _wayThere = TimeSpan.FromSeconds(2 * first.DistanceTo(_goal) / _speed);
+        _wayThere = TimeSpan.FromSeconds(2 * first.DistanceTo(_goal) / Speed(flight));
         Command(flight, first);
     }
 
@@ -131,5 +128,9 @@ internal sealed class TargetFollower
     }
 
     private void Fly(MissionFlight flight)
-        => flight.SetGoalPosition(_transit.Next(flight), _height, _heading, _speed);
+        => flight.SetGoalPosition(_transit.Next(flight), _height, _heading, Speed(flight));
+
+    // In each tick: the operator may change that of the mission.
+    private static double Speed(MissionFlight flight) => Math.Max(
+        flight.Mission.SpeedMetresPerSecond, flight.Mission.Revisit.FollowSpeedMetresPerSecond ?? 0);
 }

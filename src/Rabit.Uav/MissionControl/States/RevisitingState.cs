@@ -57,7 +57,7 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
         if (flight.Commands.Failures >= MaxFailures)
             return ReturnToLaunch(flight.Commands.LastFailure);
         if (_follower is { } follower)
-            return Follow(flight, follower);
+            return Follow(flight, follower, isLate: inPhase > _limit + flight.Mission.Revisit.FollowTime);
         _limit += PathFollower.MoreTime(flight, ref _speed);
         TargetTrack? track = Revisits.Find(flight, _track);
         bool isWanted = _look is not null ? ReferenceEquals(flight.Group!.CurrentLook, _look)
@@ -99,12 +99,12 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
             : MissionStep.Stay;
     }
 
-    private MissionStep Follow(MissionFlight flight, TargetFollower follower)
+    private MissionStep Follow(MissionFlight flight, TargetFollower follower, bool isLate)
     {
         bool isOver = follower.Tick(flight);
         _track = follower.TrackId;
         flight.Text = $"following track {MissionNumbers.Of(_track)}";
-        if (!isOver)
+        if (!isOver && !isLate)
             return MissionStep.Stay;
         string inView = $"{MissionNumbers.Of((int)follower.InView.TotalSeconds)} s in view";
         bool isEnough = follower.InView >= flight.Mission.Revisit.FollowTime;
