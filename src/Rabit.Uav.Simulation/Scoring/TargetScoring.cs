@@ -8,7 +8,8 @@ using Rabit.Uav.Reporting;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// Pairs tracks with the real targets of the same class: nearest pairs first, each target and each track once.
+/// Pairs tracks with the real targets of the same class: nearest pairs first, each track once, and each target once at a
+/// time: one that moves has another track each time that it is seen again.
 /// </summary>
 /// <example>
 /// <code>
@@ -46,17 +47,18 @@ public static class TargetScoring
             throw new ArgumentNullException(nameof(truth));
         TargetTrack[] confirmed = (tracks ?? throw new ArgumentNullException(nameof(tracks)))
             .Where(IsFound).OrderBy(t => t.Id).ToArray();
-        var trackOf = new TargetTrack?[truth.Targets.Count];
+        var tracksOf = truth.Targets.Select(_ => new List<TargetTrack>()).ToArray();
         var isTaken = new HashSet<int>();
         foreach ((int target, TargetTrack track, _) in Pairs(truth, confirmed))
         {
-            if (trackOf[target] is null && isTaken.Add(track.Id))
-                trackOf[target] = track;
+            List<TargetTrack> taken = tracksOf[target];
+            if ((taken.Count == 0 || IsSeenAgain(track, taken)) && isTaken.Add(track.Id))
+                taken.Add(track);
         }
 
         return new MissionScore
         {
-            Targets = truth.Targets.Select((t, index) => Of(t, trackOf[index])).ToArray(),
+            Targets = truth.Targets.Select((t, index) => Of(t, tracksOf[index].FirstOrDefault())).ToArray(),
             FalseTracks = confirmed.Where(t => !isTaken.Contains(t.Id)).ToArray(),
             DistanceFromHomeMetres = distanceFromHomeMetres,
         };
@@ -71,6 +73,11 @@ public static class TargetScoring
                 .Select(t => (Target: target, Track: t, Metres: Of(truth.Targets[target], t).ErrorMetres)))
             .Where(p => p.Metres <= GateMetres)
             .OrderBy(p => p.Metres).ThenBy(p => p.Target).ThenBy(p => p.Track.Id);
+
+    // Of two tracks at the same time one is false.
+    private static bool IsSeenAgain(TargetTrack track, List<TargetTrack> others)
+        => track.Motion != TargetMotion.Standing
+            && others.TrueForAll(o => track.FirstSeen > o.LastSeen || track.LastSeen < o.FirstSeen);
 
     // A target that moved on out of sight was found all the same.
     private static bool IsFound(TargetTrack track)

@@ -53,6 +53,32 @@ public sealed class TargetScoringTests
         Assert.Equal([1], score.FalseTracks.Select(t => t.Id));
     }
 
+    [Theory]
+    [InlineData(TargetMotion.Vehicle, 30, 0)]
+    [InlineData(TargetMotion.Vehicle, 15, 1)]
+    [InlineData(TargetMotion.Standing, 30, 1)]
+    public void Score_SecondTrackOfATarget_IsFalseUnlessItMovesAndIsSeenAgain(
+        TargetMotion motion, int againSeconds, int falseTracks)
+    {
+        TargetTrack Seen(int id, double north, int from) => new()
+        {
+            Id = id,
+            State = TrackState.Confirmed,
+            Class = DefaultTargetClasses.Red,
+            Motion = motion,
+            Position = Frame.ToGeodetic(new NedPosition(north, 0, 0)),
+            Covariance = OneMetre,
+            FirstSeen = TimeSpan.FromSeconds(from),
+            LastSeen = TimeSpan.FromSeconds(from + 10),
+        };
+
+        MissionScore score = Score(
+            [Target(DefaultTargetClasses.Red, 0, 0)], [Seen(1, 1, 10), Seen(2, 3, againSeconds)]);
+
+        Assert.Equal((1, falseTracks), (score.Found, score.FalseTracks.Count));
+        Assert.Equal(1, score.Targets[0].Track!.Id);
+    }
+
     [Fact]
     public void Score_TwoTargetsNearEachOther_EachHasItsOwnTrack()
     {
