@@ -8,8 +8,8 @@ using Rabit.Uav.Reporting;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// Pairs tracks with the real targets of the same class: nearest pairs first, each track once, and each target once at a
-/// time: one that moves has another track each time that it is seen again.
+/// Pairs tracks with the real targets of the same class: nearest pairs first, each track once, and each target once at
+/// a time: one that moves has another track each time that it is seen again.
 /// </summary>
 /// <example>
 /// <code>
