@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Text.Json;
 
@@ -37,6 +38,22 @@ internal sealed class Baseline
         }
 
         return baseline;
+    }
+
+    /// <summary>Found and counted of several ranges or kinds together; 0 of 0 where one is not known.</summary>
+    public (int Found, int Of) Sum(params string[] whats)
+    {
+        (int found, int of) = (0, 0);
+        foreach (string what in whats)
+        {
+            string[] parts = Count(what).Split('/');
+            if (parts.Length != 2)
+                return (0, 0);
+            found += int.Parse(parts[0], CultureInfo.InvariantCulture);
+            of += int.Parse(parts[1], CultureInfo.InvariantCulture);
+        }
+
+        return (found, of);
     }
 
     /// <summary>As "found/of", for a range of sizes ("4-6", "6-10", "10+") or a kind of target.</summary>

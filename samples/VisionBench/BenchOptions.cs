@@ -19,6 +19,9 @@ internal sealed class BenchOptions
 
     public bool IsListed { get; private set; }
 
+    /// <summary>Where the page for a browser goes; null for none.</summary>
+    public string? HtmlFile { get; private set; }
+
     /// <exception cref="ArgumentException">An argument is none.</exception>
     public static BenchOptions Parse(string[] args)
     {
@@ -39,6 +42,9 @@ internal sealed class BenchOptions
                 case "--detector" when i + 1 < args.Length && args[i + 1] is "squares" or "shapes":
                     options._detector = args[++i];
                     break;
+                case "--html" when i + 1 < args.Length:
+                    options.HtmlFile = args[++i];
+                    break;
                 case "--repeat" when i + 1 < args.Length && TryCount(args[i + 1], out options._repeats):
                     i++;
                     break;
@@ -55,6 +61,8 @@ internal sealed class BenchOptions
     }
 
     public bool Includes(int index) => Part == "all" || (Part == "odd") == (index % 2 == 1);
+
+    public string Describe() => $"detector {_detector}, {Part} frames" + (IsColourEnough ? ", by colour alone" : "");
 
     public Bench CreateBench()
         => _detector == "shapes"

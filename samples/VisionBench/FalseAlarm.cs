@@ -1,3 +1,4 @@
+using System;
 using Rabit.Uav.ImageProcessing;
 
 namespace VisionBench;
@@ -9,4 +10,7 @@ internal sealed class FalseAlarm(TargetDetection detection, string on)
 
     /// <summary>What is there.</summary>
     public string On { get; } = on;
+
+    public string Describe() => FormattableString.Invariant(
+        $"{Detection.Class} {Detection.Score:0.00} on {On} at {Detection.CentreX:0.0}, {Detection.CentreY:0.0}, {Detection.SideMetres:0.00} m");
 }

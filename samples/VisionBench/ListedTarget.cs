@@ -1,3 +1,4 @@
+using System;
 using System.Text.Json;
 
 namespace VisionBench;
@@ -66,9 +67,12 @@ internal sealed class ListedTarget
     /// <summary>Whether a centre is near enough to be of this target.</summary>
     public bool Matches(double x, double y)
     {
-        double reach = System.Math.Max(3, 0.5 * Size);
+        double reach = Math.Max(3, 0.5 * Size);
         return IsSeen && ((x - X) * (x - X)) + ((y - Y) * (y - Y)) <= reach * reach;
     }
+
+    public string Describe() => FormattableString.Invariant(
+        $"{Class} {Shape} {Size:0.0} px at {X:0.0}, {Y:0.0}, {FractionVisible:0.00} visible");
 
     /// <summary>Whether a place lies on it or on its margin.</summary>
     public bool Covers(double x, double y)

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using Rabit.Uav.ImageProcessing;
 using Rabit.Vision;
 
 namespace VisionBench;
@@ -11,17 +10,22 @@ namespace VisionBench;
 internal static class VisionBenchProgram
 {
     private const string Usage = """
-        usage: VisionBench FOLDER... [--detector shapes|squares] [--part all|odd|even] [--colour-only] [--list] [--repeat N]
+        usage: VisionBench FOLDER... [--detector shapes|squares] [--part all|odd|even] [--colour-only] [--list]
+                           [--html FILE] [--repeat N]
 
-        FOLDER         a set: pictures with a truth.json (format uav-imagery-truth); its parent may have the baseline.json of the reference
-        --detector     shapes (ShapeTargetDetector, without this), or squares (ColourTargetDetector, which knows no white)
+        FOLDER         a set: pictures with a truth.json (format uav-imagery-truth); its parent may have the
+                       baseline.json of the reference
+        --detector     shapes (ShapeTargetDetector, without this), or squares (ColourTargetDetector, which knows no
+                       white)
         --part         only the odd frames (for tuning) or the even ones
         --colour-only  a panel that is taken for a vehicle of its colour is right, as for the reference
         --list         each miss and each false alarm, one line each
+        --html         a page for a browser: the figures, and each picture with what was found, missed and falsely
+                       alarmed
         --repeat       searches each picture so often; the shortest time counts
         """;
 
-    internal static int Run(string[] args, TextWriter output, TextWriter errors)
+    internal static int Run(string[] args, TextWriter output, TextWriter errors, bool isTerminal)
     {
         try
         {
@@ -32,8 +36,16 @@ internal static class VisionBenchProgram
                 return 1;
             }
 
-            foreach (string folder in options.Folders)
-                Run(folder, options, output, errors);
+            // All of them before the first is searched: a wrong name ends it at once.
+            List<(string Folder, PictureSet Set)> sets =
+                options.Folders.Select(f => (f, PictureSet.Load(f))).ToList();
+            using BenchPage? page = options.HtmlFile is { } file ? new BenchPage(file, options.Describe()) : null;
+            foreach ((string folder, PictureSet set) in sets)
+            {
+                using var progress = new Progress(errors, isTerminal);
+                Run(folder, set, options, page, output, progress);
+            }
+
             return 0;
         }
         catch (Exception e)
@@ -45,26 +57,24 @@ internal static class VisionBenchProgram
         }
     }
 
-    private static void Run(string folder, BenchOptions options, TextWriter output, TextWriter errors)
+    private static void Run(
+        string folder, PictureSet set, BenchOptions options, BenchPage? page, TextWriter output, Progress progress)
     {
-        PictureSet set = PictureSet.Load(folder);
         Bench bench = options.CreateBench();
-        List<FrameScore> scores = bench.Run(set, (done, of) => Progress(errors, set.Name, done, of))
+        List<FrameScore> scores = bench.Run(set, (done, of) => progress.Show(set.Name, done, of))
             .Where(s => options.Includes(s.Frame.Index)).ToList();
-        errors.Write("\r" + new string(' ', 60) + "\r");
+        progress.Clear();
         var score = new SetScore(set.Name, scores);
-        ScoreTable.Write(score, Baseline.Load(folder), output);
-        output.WriteLine(FormattableString.Invariant(
-            $"  time {bench.DetectorTime.TotalMilliseconds / set.Frames.Length:0.00} ms a frame, {options.Part} frames"));
+        Baseline? baseline = Baseline.Load(folder);
+        string time = FormattableString.Invariant(
+            $"time {bench.DetectorTime.TotalMilliseconds / set.Frames.Length:0.00} ms a frame, {options.Part} frames");
+        ScoreTable.Write(score, baseline, output);
+        output.WriteLine("  " + time);
         if (options.IsListed)
             ScoreTable.List(scores, output);
+        page?.Add(score, baseline, scores, time);
     }
 
-    private static void Progress(TextWriter errors, string name, int done, int of)
-    {
-        if (!Console.IsErrorRedirected)
-            errors.Write($"\r{name} [{new string('=', 30 * done / of),-30}] {done} of {of}");
-    }
-
-    private static int Main(string[] args) => Run(args, Console.Out, Console.Error);
+    private static int Main(string[] args)
+        => Run(args, Console.Out, Console.Error, !Console.IsErrorRedirected);
 }
