@@ -78,8 +78,9 @@ internal static class CommandLine
     private static readonly Option<string> Camera = new("--camera")
     {
         Description = "A camera for a live --link, which it needs: a folder of pictures with their times, also a "
-            + "growing one.",
-        HelpName = "DIR"
+            + "growing one, or a file in the form of its camera.json, whose source may be a program "
+            + "(docs/camera-folder.md).",
+        HelpName = "DIR",
     };
 
     private static readonly Option<string> Terrain = new("--terrain")
@@ -229,7 +230,7 @@ internal static class CommandLine
         MissionFile = given.Mission.Value,
         MissionOption = given.Mission.Name,
         Flies = given.Flies.Value,
-        CameraFolder = given.Camera.Value,
+        Camera = given.Camera.Value,
         TerrainFile = given.Terrain.Value,
         TruthFile = result.GetValue(TruthOption),
         SummaryFile = result.GetValue(Summary),

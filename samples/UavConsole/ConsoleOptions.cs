@@ -50,8 +50,10 @@ internal sealed class ConsoleOptions
     /// <summary>Whether a real vehicle may be commanded.</summary>
     public bool Flies { get; init; }
 
-    /// <summary>A folder of pictures with their times; null for none.</summary>
-    public string? CameraFolder { get; init; }
+    /// <summary>
+    /// A folder of pictures with their times, or a file in the form of camera.json; null for none.
+    /// </summary>
+    public string? Camera { get; init; }
 
     /// <summary>Heights of the ground; null where it is taken for level.</summary>
     public string? TerrainFile { get; init; }

@@ -43,8 +43,8 @@ internal sealed class Flight : IDisposable
     /// <summary>Where the vehicle really is; null where only the autopilot knows. After the run.</summary>
     public Func<GeodeticPosition?> TruePosition { get; private init; } = () => null;
 
-    /// <summary>The folder of pictures; null where there is none.</summary>
-    public FolderCamera? Camera { get; private init; }
+    /// <summary>The camera of a real vehicle; null where there is none.</summary>
+    public ICamera? Camera { get; private init; }
 
     /// <summary>The name of the mission that is flown; null where none is.</summary>
     public string? MissionName { get; private init; }
@@ -130,8 +130,8 @@ internal sealed class Flight : IDisposable
             : null;
         MissionPlan? mission = file?.Plan;
         TargetTruth? truth = options.TruthFile is { } truthFile ? ReadTruth(truthFile) : null;
-        CameraFolder? folder = options.CameraFolder is { } cameraFolder ? OpenCamera(cameraFolder) : null;
-        FolderCamera? camera = folder is null ? null : new FolderCamera(folder);
+        CameraFolder? folder = options.Camera is { } path ? OpenCamera(path) : null;
+        ICamera? camera = folder?.CreateCamera();
         MavlinkSigningKey? key = options.SignKeyFile is { } keyFile ? SigningKeyFile.Read(keyFile) : null;
         UavOptions uavOptions = OptionsOf(options, options.Flies ? mission : null);
         uavOptions.Links = options.Links;

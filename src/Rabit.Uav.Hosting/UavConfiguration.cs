@@ -85,7 +85,7 @@ public static class UavConfiguration
         try
         {
             CameraFolder folder = CameraFolder.Open(path);
-            options.Camera = new FolderCamera(folder);
+            options.Camera = folder.CreateCamera();
             (options.Imaging.Camera, options.Imaging.Mount) = (folder.Camera, folder.Mount);
         }
         catch (PictureException e)

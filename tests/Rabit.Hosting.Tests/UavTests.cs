@@ -11,6 +11,7 @@ using Rabit.Core;
 using Rabit.Tests.Shared;
 using Rabit.Uav;
 using Rabit.Uav.Hosting;
+using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 using Rabit.Vision;
@@ -124,6 +125,32 @@ public sealed class UavTests
         RabitHostingException e = await Assert.ThrowsAsync<RabitHostingException>(host.StartAsync);
 
         Assert.StartsWith(expected, Assert.Single(e.Faults), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Camera_FileWithASource_IsTheProgramThatItNames()
+    {
+        string file = Path.GetTempFileName();
+        try
+        {
+            File.WriteAllText(file, """
+                { "source": { "program": "rpicam-vid", "framesPerSecond": 4 },
+                  "camera": { "width": 640, "height": 480, "horizontalFieldOfViewDegrees": 62,
+                    "mount": { "bodyFromCamera": [[0, -1, 0], [1, 0, 0], [0, 0, 1]],
+                      "leverArmBodyMetres": [0, 0, 0] } } }
+                """);
+
+            UavOptions options = Read(
+                out IReadOnlyList<string> faults, ("Uav:Links:0", Link), ("Uav:Camera", file));
+
+            Assert.Empty(faults);
+            Assert.Equal("rpicam-vid", Assert.IsType<ProcessCamera>(options.Camera).Name);
+            Assert.Equal(640, options.Imaging.Camera!.Width);
+        }
+        finally
+        {
+            File.Delete(file);
+        }
     }
 
     [Fact]

@@ -3,23 +3,30 @@ using Rabit.Uav.ImageProcessing;
 
 namespace Rabit.Uav.Reporting;
 
-/// <summary>What a camera folder delivered in a run. Immutable.</summary>
+/// <summary>What a camera delivered in a run. Immutable.</summary>
 public sealed class CameraSummary
 {
-    /// <summary>Copies the counts of a camera folder.</summary>
+    /// <summary>Copies the counts of a camera.</summary>
     /// <param name="camera">After the run.</param>
-    public CameraSummary(FolderCamera camera)
+    public CameraSummary(ICamera camera)
     {
         if (camera is null)
             throw new ArgumentNullException(nameof(camera));
-        Delivered = camera.PicturesDelivered;
-        BeforeRun = camera.PicturesBeforeRun;
-        Late = camera.PicturesLate;
-        Ahead = camera.PicturesAhead;
-        Refused = camera.PicturesRefused;
-        WithoutBuffer = camera.PicturesWithoutBuffer;
-        LastRefusal = camera.LastRefusal;
+        CameraStatistics counts = camera.Statistics;
+        Name = camera.Name;
+        Delivered = counts.Delivered;
+        BeforeRun = counts.BeforeRun;
+        Late = counts.Late;
+        Ahead = counts.Ahead;
+        Refused = counts.Refused;
+        Skipped = counts.Skipped;
+        WithoutBuffer = counts.WithoutBuffer;
+        Restarts = counts.Restarts;
+        LastRefusal = counts.LastFault;
     }
+
+    /// <summary>What it is: "folder", the name of a program or of a device.</summary>
+    public string Name { get; }
 
     /// <summary>Pictures that were delivered.</summary>
     public long Delivered { get; }
@@ -36,9 +43,19 @@ public sealed class CameraSummary
     /// <summary>Pictures that were refused: damaged, of another size, or with a name without its time.</summary>
     public long Refused { get; }
 
+    /// <summary>
+    /// Pictures that were not decoded, since a newer one had come, or more came than were wanted.
+    /// </summary>
+    public long Skipped { get; }
+
     /// <summary>Pictures that were lost, since no buffer was free.</summary>
     public long WithoutBuffer { get; }
 
-    /// <summary>Why the last refused picture was refused; null where none was.</summary>
+    /// <summary>How often it was tried to open the camera again.</summary>
+    public long Restarts { get; }
+
+    /// <summary>
+    /// Why the last refused picture was refused, or what was wrong with the camera after that; null without.
+    /// </summary>
     public string? LastRefusal { get; }
 }

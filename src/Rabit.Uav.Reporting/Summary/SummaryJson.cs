@@ -67,12 +67,15 @@ public static class SummaryJson
         }
 
         json.WriteStartObject("camera");
+        json.WriteString("name", camera.Name);
         json.WriteNumber("taken", camera.Delivered);
         json.WriteNumber("beforeRun", camera.BeforeRun);
         json.WriteNumber("late", camera.Late);
         json.WriteNumber("ahead", camera.Ahead);
         json.WriteNumber("refused", camera.Refused);
+        json.WriteNumber("skipped", camera.Skipped);
         json.WriteNumber("withoutBuffer", camera.WithoutBuffer);
+        json.WriteNumber("restarts", camera.Restarts);
         json.WriteString("lastRefusal", camera.LastRefusal);
         json.WriteEndObject();
     }

@@ -125,17 +125,26 @@ public sealed class SummaryText
     // Also the pictures that were not used: otherwise it remains open why the camera gave none.
     private void WriteCamera(CameraSummary camera)
     {
+        string skipped = camera.Skipped == 0
+            ? string.Empty
+            : $", {FlightText.Number(camera.Skipped)} passed over";
+        string restarts = camera.Restarts == 0
+            ? string.Empty
+            : $"; opened again {FlightText.Number(camera.Restarts)} times";
         Line(string.Format(
             CultureInfo.InvariantCulture,
-            "camera folder: {0} pictures taken, {1} from before the run, {2} too late, {3} refused, {4} without a free "
-                + "buffer",
+            "camera {0}: {1} pictures taken, {2} from before the run, {3} too late, {4} refused, {5} without a free "
+                + "buffer{6}{7}",
+            FlightText.Printable(camera.Name),
             camera.Delivered,
             camera.BeforeRun,
             camera.Late,
             camera.Refused,
-            camera.WithoutBuffer));
+            camera.WithoutBuffer,
+            skipped,
+            restarts));
         if (camera.LastRefusal is { } why)
-            Line("  refused last: " + FlightText.Printable(why));
+            Line((camera.Restarts == 0 ? "  refused last: " : "  last fault: ") + FlightText.Printable(why));
     }
 
     private void WriteLink(LinkSummary link, LinkStatus status)

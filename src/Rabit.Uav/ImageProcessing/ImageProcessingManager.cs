@@ -48,6 +48,7 @@ public sealed class ImageProcessingManager : RabitManager
 
     private readonly ImageProcessingOptions _options;
     private readonly BlockingReader<CameraFrame>? _camera;
+    private readonly ICamera? _source;
     private readonly PictureSearch? _search;
     private readonly LandingMarkerFinder? _landingMarker;
     private readonly QueueReceiver<PoseSample> _poseQueue;
@@ -82,6 +83,7 @@ public sealed class ImageProcessingManager : RabitManager
         if (camera is not null)
         {
             _camera = AttachReader("camera", camera, FramesQueued, QueueFullMode.DropOldest);
+            _source = camera as ICamera;
             _search = new PictureSearch(_options, _options.Camera!, _poses, () => Now);
             if (_options.LandingMarker is { } marker)
                 _landingMarker = new LandingMarkerFinder(marker, _options.Camera!, _options.Mount);
@@ -122,7 +124,14 @@ public sealed class ImageProcessingManager : RabitManager
     }
 
     /// <inheritdoc/>
-    protected override void Shutdown() => _waiting.Clear();
+    protected override void Startup() => _source?.LogTo(Log);
+
+    /// <inheritdoc/>
+    protected override void Shutdown()
+    {
+        _waiting.Clear();
+        _source?.LogTo(null);
+    }
 
     private bool IsSearching => _command.Value.Mode == ImagingMode.Search;
 
@@ -310,13 +319,16 @@ public sealed class ImageProcessingManager : RabitManager
         _next.Mode = _command.Value.Mode;
         _next.FramesDropped = _numbers.Lost;
         _next.HasEnded = _camera?.State is DeviceState.Ended or DeviceState.Faulted;
-        if (_next.HasEnded && _next.Fault is null && _camera?.Fault is { } fault)
-            _next.Fault = $"{fault.GetType().Name}: {fault.Message}";
+        if (!_next.HasEnded)
+            _next.Fault = _source?.Statistics.Fault;
+        else if (_camera?.Fault is { } fault)
+            _next.Fault ??= $"{fault.GetType().Name}: {fault.Message}";
         _window.Update(now);
         (_next.UsableShare, _next.UnusableCause, _next.UnusableCauseShare) =
             (_window.UsableShare, _window.MainCause, _window.CauseShare);
         ref ImagingStatus posted = ref _status.Value;
         bool isNews = _lastPost is null || posted.Mode != _next.Mode || posted.HasEnded != _next.HasEnded
+            || !ReferenceEquals(posted.Fault, _next.Fault)
             || posted.Observations != _next.Observations || posted.FramesRefused != _next.FramesRefused;
         if (_search is not null)
             ReadDetector(_search);

@@ -96,6 +96,7 @@ internal sealed class PictureSearch : IGroundScaleSource
         ImmutableArray<TargetClass> classes = _wanted.Select(command.Classes);
         if (classes.IsEmpty)
             return NoClasses;
+        _projector.SetTimeNoise(frame.TimeNoise);
         _projection = _projector.At(pose, command);
         if (!TryFindCorners(frame, pose, command) || !TryView(frame, pose, command))
         {

@@ -31,6 +31,12 @@ public struct CameraFrame : IDisposable
     public TimeSpan Exposure { get; set; }
 
     /// <summary>
+    /// How wrong <see cref="FrameStart"/> may be, one standard deviation, beside what the error budget has for all
+    /// pictures (<c>ErrorBudget.TimeNoise</c>); zero where it is not known.
+    /// </summary>
+    public TimeSpan TimeNoise { get; set; }
+
+    /// <summary>
     /// The middle of the exposure: what the picture shows was true then. With a rolling shutter
     /// (<c>CameraModel.Readout</c>) that holds of the top row, and each row comes so much later than the one above
     /// it.

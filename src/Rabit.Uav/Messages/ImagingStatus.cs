@@ -103,6 +103,6 @@ public struct ImagingStatus
     /// <summary>Whether the camera gives no more pictures, because it has no more or failed.</summary>
     public bool HasEnded { get; set; }
 
-    /// <summary>What ended the camera, where it failed.</summary>
+    /// <summary>What ended the camera, where it failed, or keeps it from giving pictures now; null without.</summary>
     public string? Fault { get; set; }
 }

@@ -184,7 +184,8 @@ internal static class VehicleRules
         if (!facts.Imaging.HasCamera)
             return PreflightJudgement.Fail("no camera");
         if (facts.Imaging.LastFrameTime is not { } last)
-            return PreflightJudgement.Fail("no picture yet");
+            return PreflightJudgement.Fail(
+                facts.Imaging.Fault is { } fault ? "no picture yet: " + fault : "no picture yet");
         string text = Text("{0:0} s ago", Math.Floor((facts.Now - last).TotalSeconds));
         return facts.Now - last <= facts.Options.MaxPictureAge
             ? PreflightJudgement.Pass(text)

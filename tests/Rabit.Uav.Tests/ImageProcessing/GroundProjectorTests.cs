@@ -209,6 +209,36 @@ public sealed class GroundProjectorTests
     }
 
     [Fact]
+    public void SetTimeNoise_OfAPicture_IsAddedToThatOfTheBudget()
+    {
+        var view = new TestView { Velocity = new NedVector(10, 0, 0) };
+        GroundProjector projector = new(
+            view.Camera, view.Mount, new ErrorBudget { TimeNoise = TimeSpan.FromMilliseconds(30) },
+            Angle.FromDegrees(5));
+        var pose = new Pose
+        {
+            Position = view.Position,
+            Attitude = Rotation.Identity,
+            VelocityNed = view.Velocity,
+        };
+
+        projector.SetTimeNoise(TimeSpan.FromMilliseconds(40));
+        double with = NorthVariance();
+        projector.SetTimeNoise(TimeSpan.Zero);
+        double without = NorthVariance();
+
+        // 50 ms instead of 30 ms at 10 m/s.
+        Assert.Equal((0.5 * 0.5) - (0.3 * 0.3), with - without, 1e-6);
+
+        double NorthVariance()
+        {
+            Assert.True(projector.At(pose, view.Order).TryCovariances(
+                view.Camera.CentreX, view.Camera.CentreY, out HorizontalCovariance random, out _));
+            return random.NorthNorth;
+        }
+    }
+
+    [Fact]
     public void Covariances_ErrorsDrawnAtRandom_SpreadAsStated()
     {
         const int Seed = 11;

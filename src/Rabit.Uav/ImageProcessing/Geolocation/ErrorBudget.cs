@@ -32,7 +32,10 @@ public sealed class ErrorBudget
     /// <value>The default is 0.5 pixels.</value>
     public double PixelNoise { get; set; } = 0.5;
 
-    /// <summary>Time of the picture against that of the poses.</summary>
+    /// <summary>
+    /// Time of the picture against that of the poses. What a picture says of its own time
+    /// (<c>CameraFrame.TimeNoise</c>) is added as an independent error.
+    /// </summary>
     /// <value>The default is 10 ms.</value>
     public TimeSpan TimeNoise { get; set; } = TimeSpan.FromMilliseconds(10);
 

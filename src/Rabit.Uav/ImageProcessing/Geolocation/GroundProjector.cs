@@ -44,6 +44,13 @@ internal sealed class GroundProjector
     /// <summary>Scratch memory of the covariances of a <see cref="GroundProjection"/>.</summary>
     public GroundJacobian Jacobian { get; }
 
+    /// <summary>Sets how wrong the time of the pictures from here on is, beside the budget.</summary>
+    public void SetTimeNoise(TimeSpan ofPicture)
+    {
+        (double budget, double picture) = (_budget.TimeNoise.TotalSeconds, ofPicture.TotalSeconds);
+        _random[(int)ViewingParameter.Time] = Math.Sqrt((budget * budget) + (picture * picture));
+    }
+
     /// <summary>The projection of a picture's pixels to the ground.</summary>
     /// <param name="pose">At mid-exposure.</param>
     /// <param name="command">Where the gimbal points, and how high flat ground is.</param>

@@ -44,7 +44,12 @@ internal static class CameraDescription
             CameraModel model = CameraModelDescription.Read(camera, faults);
             CameraMount mount = CameraMountDescription.Read(camera.RequiredObject("mount"), faults);
             camera.RefuseOthers();
+            ProcessCameraOptions? source = root.Has("source")
+                ? CameraSourceDescription.Read(root.RequiredObject("source"), model, folder, faults)
+                : null;
             List<ListedPicture> listed = ReadFrames(root, faults);
+            if (source is not null && root.Has("frames"))
+                faults.Add("there are both a source, which gives the pictures, and frames, which lists them");
             root.Renamed(("time_source", "timeSource"), ("mount", "camera.mount"));
             foreach (string note in Notes)
                 root.Has(note);
@@ -55,7 +60,7 @@ internal static class CameraDescription
                 faults.AddRange(FindFaults(model, mount));
             if (faults.Count > 0)
                 throw new PictureException(file, string.Join("; ", faults));
-            return new CameraFolder(folder, model, mount, listed);
+            return new CameraFolder(folder, model, mount, listed) { Source = source };
         }
     }
 

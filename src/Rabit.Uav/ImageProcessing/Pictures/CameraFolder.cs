@@ -10,7 +10,7 @@ namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
 /// A folder of a camera: "camera.json" says what the camera is like and how it is mounted, and the pictures lie beside
-/// it. Immutable.
+/// it, or come from the source that it names (<see cref="CreateCamera"/>). Immutable.
 /// </summary>
 /// <remarks>
 /// A picture is called "f000123_1732190000123456_e2000.png": number, start of the exposure in microseconds since 1970
@@ -39,8 +39,17 @@ public sealed class CameraFolder
     /// <summary>Pictures that camera.json lists, by the start of their exposure.</summary>
     internal IReadOnlyList<ListedPicture> Listed { get; }
 
+    /// <summary>Where the pictures come from; null where they lie in the folder.</summary>
+    internal ProcessCameraOptions? Source { get; init; }
+
+    /// <summary>
+    /// Makes the camera that is described: the source, where camera.json has one, and else the pictures of the folder.
+    /// Nothing is opened before the run begins.
+    /// </summary>
+    public ICamera CreateCamera() => Source is { } source ? new ProcessCamera(source) : new FolderCamera(this);
+
     /// <summary>Reads the description of a folder's camera.</summary>
-    /// <param name="path">The folder.</param>
+    /// <param name="path">The folder, or the file of the description, whatever its name is.</param>
     /// <exception cref="PictureException">
     /// There is no such folder, no description in it, or a wrong one; the text names all that is wrong.
     /// </exception>
@@ -48,9 +57,10 @@ public sealed class CameraFolder
     {
         if (path is null)
             throw new ArgumentNullException(nameof(path));
+        if (File.Exists(path))
+            return OpenFile(path);
         if (!Directory.Exists(path))
-            throw new PictureException(
-                path, File.Exists(path) ? "that is a file; a folder of a camera is wanted" : "no such folder");
+            throw new PictureException(path, "no such folder");
         string file = System.IO.Path.Combine(path, DescriptionFile);
         if (!File.Exists(file))
             throw new PictureException(
@@ -69,6 +79,11 @@ public sealed class CameraFolder
             throw new ArgumentNullException(nameof(file));
         if (!File.Exists(file))
             throw new PictureException(file, "no such file");
+
+        // A device may have no end.
+        if (file.StartsWith("/dev/", StringComparison.Ordinal))
+            throw new PictureException(
+                file, $"that is a device; a folder with {DescriptionFile}, or such a file, is wanted");
         return OpenFile(file, System.IO.Path.GetDirectoryName(System.IO.Path.GetFullPath(file))!);
     }
 

@@ -13,10 +13,14 @@ namespace Rabit.Uav.ImageProcessing;
 /// </summary>
 internal sealed class ChildProcess : IDisposable
 {
+    // ENOENT and ERROR_FILE_NOT_FOUND; EACCES.
+    private const int NoSuchFile = 2;
+    private const int NotPermitted = 13;
+
     private readonly Process _process;
     private readonly EventHandler _onExit;
 
-    /// <exception cref="IOException">It cannot be started.</exception>
+    /// <exception cref="IOException">It cannot be started; the text says why, without its name.</exception>
     public ChildProcess(string program, IReadOnlyList<string> arguments, Action<string> onErrorLine)
     {
         _process = new Process
@@ -43,7 +47,7 @@ internal sealed class ChildProcess : IDisposable
         catch (Exception e) when (e is Win32Exception or IOException or InvalidOperationException)
         {
             _process.Dispose();
-            throw new IOException($"{program} cannot be started: {e.Message}", e);
+            throw new IOException(ReasonOf(e), e);
         }
 
         AppDomain.CurrentDomain.ProcessExit += _onExit;
@@ -81,6 +85,13 @@ internal sealed class ChildProcess : IDisposable
         Kill();
         _process.Dispose();
     }
+
+    // The runtimes name it in different ways, some with the working folder, which has nothing to do with it.
+    private static string ReasonOf(Exception e) => e is Win32Exception { NativeErrorCode: NoSuchFile }
+        ? "there is no such program"
+        : e is Win32Exception { NativeErrorCode: NotPermitted }
+            ? "it cannot be started: it is no program, or this user may not run it"
+            : "it cannot be started: " + e.Message;
 
     // As the runtime takes them apart again on every system: a quote is \", and so many \ before it twice.
     internal static string Quote(IReadOnlyList<string> arguments)

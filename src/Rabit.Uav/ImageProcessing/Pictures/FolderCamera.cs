@@ -18,7 +18,7 @@ namespace Rabit.Uav.ImageProcessing;
 /// pictures of a recorded flight go with a recorded log whose start the clock of the run was set to. Pictures come in
 /// the order of their times. The figures may be read from any thread.
 /// </remarks>
-public sealed class FolderCamera : IReaderSource<CameraFrame>
+public sealed class FolderCamera : ICamera
 {
     private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(100);
 
@@ -42,6 +42,7 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
     private long _withoutBuffer;
     private long _ahead;
     private string? _lastRefusal;
+    private string? _fault;
     private bool _hasListed;
 
     /// <summary>Makes the camera.</summary>
@@ -58,6 +59,22 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
 
     /// <inheritdoc/>
     public bool Blocks => false;
+
+    /// <inheritdoc/>
+    public string Name => "folder";
+
+    /// <inheritdoc/>
+    public CameraStatistics Statistics => new()
+    {
+        Delivered = PicturesDelivered,
+        Refused = PicturesRefused,
+        WithoutBuffer = PicturesWithoutBuffer,
+        BeforeRun = PicturesBeforeRun,
+        Late = PicturesLate,
+        Ahead = PicturesAhead,
+        Fault = Volatile.Read(ref _fault),
+        LastFault = LastRefusal,
+    };
 
     /// <summary>Pictures delivered.</summary>
     public long PicturesDelivered => Interlocked.Read(ref _delivered);
@@ -86,6 +103,12 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
     /// Why the last picture that was refused was, or why the folder cannot be read, one line; null if nothing happened.
     /// </summary>
     public string? LastRefusal => Volatile.Read(ref _lastRefusal);
+
+    /// <inheritdoc/>
+    public void LogTo(Action<string>? log)
+    {
+        // What happens to a folder is in its figures.
+    }
 
     /// <inheritdoc/>
     public void Open(ReaderContext context)
@@ -180,10 +203,12 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
         try
         {
             _listing.FindNew(found, _nameless);
+            Volatile.Write(ref _fault, null);
         }
         catch (PictureException e)
         {
             Volatile.Write(ref _lastRefusal, e.Message);
+            Volatile.Write(ref _fault, e.Message);
         }
 
         foreach (string name in _nameless)

@@ -14,7 +14,8 @@ namespace Rabit.Uav.ImageProcessing;
 /// from any thread.
 /// </summary>
 /// <remarks>
-/// The time of a picture is that of its arrival less <see cref="ProcessCameraOptions.Latency"/> and its exposure.
+/// The time of a picture is that of its arrival less <see cref="ProcessCameraOptions.Latency"/> and its exposure. A
+/// program that cannot be started is a fault of the camera, which is tried again in the same way.
 /// </remarks>
 /// <example>
 /// <code>
@@ -27,27 +28,27 @@ namespace Rabit.Uav.ImageProcessing;
 /// });
 /// </code>
 /// </example>
-public sealed class ProcessCamera : IReaderSource<CameraFrame>
+public sealed class ProcessCamera : ICamera
 {
-    private const int ChunkBytes = 65_536;
-
     private readonly ProcessCameraOptions _options;
     private readonly BufferPool _pool;
-    private readonly JpegDecoder _jpeg = new();
-    private readonly int _maxBytes;
-    private byte[] _bytes;
-    private int _filled;
+    private readonly ProcessPictures _stream;
+    private readonly CameraPictures _pictures;
+    private readonly PictureRate _rate;
+    private readonly RestartDelay _delay;
+    private readonly LineLimit _lines;
     private ReaderContext? _context;
     private ChildProcess? _process;
     private ITimer? _stall;
-    private TimeSpan _restartAt;
-    private TimeSpan _delay;
+    private TimeSpan _arrived;
     private long _number;
     private long _delivered;
     private long _refused;
     private long _skipped;
     private long _withoutBuffer;
     private long _restarts;
+    private Action<string>? _log;
+    private string? _fault;
     private string? _lastFault;
     private volatile bool _isStalled;
     private volatile bool _isStopping;
@@ -61,16 +62,30 @@ public sealed class ProcessCamera : IReaderSource<CameraFrame>
         _pool = new BufferPool(
             "camera " + _options.Program, _options.Buffers, _options.Width * _options.Height * 3);
 
-        // No JPEG of a camera is larger than its pixels.
-        int picture = _options.Format == ProcessCameraFormat.Mjpeg
-            ? (_options.Width * _options.Height * 3) + ChunkBytes
-            : Yuv420.BytesOf(_options.Width, _options.Height);
-        _maxBytes = picture + ChunkBytes;
-        _bytes = new byte[Math.Min(_maxBytes, picture / 4 + (2 * ChunkBytes))];
+        _stream = new ProcessPictures(_options);
+        _pictures = new CameraPictures(_options.Program, _options.Width, _options.Height);
+        _rate = new PictureRate(_options.MaxFramesPerSecond);
+        _delay = new RestartDelay(_options.FirstRestartDelay, _options.MaxRestartDelay);
+        _lines = new LineLimit(Log);
     }
 
     /// <inheritdoc/>
     public bool Blocks => true;
+
+    /// <inheritdoc/>
+    public string Name => _options.Program;
+
+    /// <inheritdoc/>
+    public CameraStatistics Statistics => new()
+    {
+        Delivered = PicturesDelivered,
+        Refused = PicturesRefused,
+        Skipped = PicturesSkipped,
+        WithoutBuffer = PicturesWithoutBuffer,
+        Restarts = Restarts,
+        Fault = Volatile.Read(ref _fault),
+        LastFault = LastFault,
+    };
 
     /// <summary>Pictures delivered.</summary>
     public long PicturesDelivered => Interlocked.Read(ref _delivered);
@@ -78,24 +93,29 @@ public sealed class ProcessCamera : IReaderSource<CameraFrame>
     /// <summary>Pictures that could not be decoded, or have another size than the camera's.</summary>
     public long PicturesRefused => Interlocked.Read(ref _refused);
 
-    /// <summary>Pictures that were not decoded because a newer one had come.</summary>
+    /// <summary>
+    /// Pictures that were not decoded because a newer one had come, or more come than are wanted.
+    /// </summary>
     public long PicturesSkipped => Interlocked.Read(ref _skipped);
 
     /// <summary>Pictures lost because no buffer was free.</summary>
     public long PicturesWithoutBuffer => Interlocked.Read(ref _withoutBuffer);
 
-    /// <summary>How often the program was started again.</summary>
+    /// <summary>How often the program was started again, or it was tried.</summary>
     public long Restarts => Interlocked.Read(ref _restarts);
 
     /// <summary>What went wrong last, one line; null if nothing did.</summary>
     public string? LastFault => Volatile.Read(ref _lastFault);
 
     /// <inheritdoc/>
+    public void LogTo(Action<string>? log) => Volatile.Write(ref _log, log);
+
+    /// <inheritdoc/>
     public void Open(ReaderContext context)
     {
         _context = context ?? throw new ArgumentNullException(nameof(context));
-        _delay = _options.FirstRestartDelay;
-        Start();
+        _delay.Reset();
+        TryStart();
     }
 
     /// <inheritdoc/>
@@ -105,10 +125,11 @@ public sealed class ProcessCamera : IReaderSource<CameraFrame>
         while (!_isStopping)
         {
             if (_process is null && !TryRestart())
-                return ReaderStep.WaitUntil(_restartAt);
+                return ReaderStep.WaitUntil(_delay.Due);
             if (TryTakeNewest(out value))
             {
-                _delay = _options.FirstRestartDelay;
+                _delay.Reset();
+                Volatile.Write(ref _fault, null);
                 return ReaderStep.Value;
             }
 
@@ -130,10 +151,12 @@ public sealed class ProcessCamera : IReaderSource<CameraFrame>
 
     private void Start()
     {
-        _filled = 0;
+        _stream.Clear();
         _isStalled = false;
         Volatile.Write(ref _process, new ChildProcess(
-            _options.Program, _options.Arguments, line => _options.Log?.Invoke($"{_options.Program}: {line}")));
+            _options.Program,
+            _options.Arguments,
+            line => _lines.Add($"{_options.Program}: {line}", _context!.Now)));
         _stall = _context!.Clock.CreateTimer(
             _ => OnStall(), null, _options.StallTimeout, Timeout.InfiniteTimeSpan);
 
@@ -150,9 +173,14 @@ public sealed class ProcessCamera : IReaderSource<CameraFrame>
 
     private bool TryRestart()
     {
-        if (_context!.Now < _restartAt)
+        if (_context!.Now < _delay.Due)
             return false;
         Interlocked.Increment(ref _restarts);
+        return TryStart();
+    }
+
+    private bool TryStart()
+    {
         try
         {
             Start();
@@ -160,54 +188,47 @@ public sealed class ProcessCamera : IReaderSource<CameraFrame>
         }
         catch (IOException e)
         {
-            Fail(e.Message);
+            Fail(e.Message, "it is tried again");
             return false;
         }
     }
 
     private void ReadMore()
     {
-        if (_bytes.Length - _filled < ChunkBytes && _bytes.Length < _maxBytes)
-            Array.Resize(ref _bytes, Math.Min(_maxBytes, _bytes.Length * 2));
-        if (_filled == _bytes.Length)
+        if (_stream.IsFull)
         {
             // No end of a picture in more bytes than one may have.
             Refuse("no end of a picture came");
-            _filled = 0;
+            _stream.Clear();
         }
 
-        int read = 0;
-        try
+        if (_stream.ReadFrom(_process!.Output) > 0)
         {
-            read = _process!.Output.Read(_bytes, _filled, _bytes.Length - _filled);
-        }
-        catch (Exception e) when (e is IOException or ObjectDisposedException)
-        {
-            // It was killed.
-        }
-
-        if (read > 0)
-        {
-            _filled += read;
+            _arrived = _context!.Now;
             _stall!.Change(_options.StallTimeout, Timeout.InfiniteTimeSpan);
         }
         else if (!_isStopping)
         {
             Fail(_isStalled
                 ? FormattableString.Invariant($"it wrote nothing for {_options.StallTimeout.TotalSeconds} s")
-                : _process!.DescribeEnd());
+                : _process!.DescribeEnd(), "it is started again");
         }
     }
 
-    private void Fail(string reason)
+    private void Fail(string reason, string next)
     {
         End();
-        _restartAt = _context!.Now + _delay;
-        string text = FormattableString.Invariant(
-            $"{_options.Program}: {reason}; it is started again in {_delay.TotalSeconds} s");
-        Volatile.Write(ref _lastFault, text);
-        _options.Log?.Invoke(text);
-        _delay = _delay + _delay < _options.MaxRestartDelay ? _delay + _delay : _options.MaxRestartDelay;
+        string fault = $"{_options.Program}: {reason}";
+        Volatile.Write(ref _fault, fault);
+        Volatile.Write(ref _lastFault, fault);
+        TimeSpan delay = _delay.Begin(_context!.Now);
+        Log(FormattableString.Invariant($"{fault}; {next} in {delay.TotalSeconds} s"));
+    }
+
+    private void Log(string line)
+    {
+        _options.Log?.Invoke(line);
+        Volatile.Read(ref _log)?.Invoke(line);
     }
 
     private void End()
@@ -223,33 +244,25 @@ public sealed class ProcessCamera : IReaderSource<CameraFrame>
     {
         frame = default;
         (int start, int length, int used) = (0, 0, 0);
-        while (TryFind(used, out int nextStart, out int nextLength, out int keep))
+        while (_stream.TryFind(used, out int nextStart, out int nextLength, out int keep))
         {
             if (length > 0)
                 Skip();
             (start, length, used) = (nextStart, nextLength, keep);
         }
 
-        bool isTaken = length > 0 && TryDecode(start, length, out frame);
-        TryFind(used, out _, out _, out int needed);
-        _filled -= needed;
-        Buffer.BlockCopy(_bytes, needed, _bytes, 0, _filled);
+        bool isTaken = length > 0 && IsWanted() && TryDecode(start, length, out frame);
+        _stream.TryFind(used, out _, out _, out int needed);
+        _stream.DropBefore(needed);
         return isTaken;
     }
 
-    private bool TryFind(int from, out int start, out int length, out int keep)
+    private bool IsWanted()
     {
-        if (_options.Format == ProcessCameraFormat.Mjpeg)
-        {
-            bool isFound = JpegStream.TryFind(_bytes, from, _filled - from, out start, out length);
-            keep = start + length;
-            return isFound;
-        }
-
-        (start, length) = (from, Yuv420.BytesOf(_options.Width, _options.Height));
-        bool isWhole = _filled - from >= length;
-        keep = isWhole ? from + length : from;
-        return isWhole;
+        bool isWanted = _rate.Takes(_arrived);
+        if (!isWanted)
+            Skip();
+        return isWanted;
     }
 
     private bool TryDecode(int start, int length, out CameraFrame frame)
@@ -280,38 +293,37 @@ public sealed class ProcessCamera : IReaderSource<CameraFrame>
             Width = _options.Width,
             Height = _options.Height,
             Number = number,
-            FrameStart = _context!.Now - _options.Latency - _options.Exposure,
+            FrameStart = _arrived - _options.Latency - _options.Exposure,
             Exposure = _options.Exposure,
+            TimeNoise = _options.TimeNoise,
         };
         return true;
     }
 
     private void DecodeInto(byte[] pixels, int start, int length)
     {
-        if (_options.Format != ProcessCameraFormat.Mjpeg)
-        {
-            bool isFullRange = _options.Format == ProcessCameraFormat.Yuv420FullRange;
-            Yuv420.ToRgb(_bytes, start, _options.Width, _options.Height, isFullRange, pixels);
-            return;
-        }
-
-        _jpeg.Open(_bytes, start, length, _options.Program);
-        if (_jpeg.Width != _options.Width || _jpeg.Height != _options.Height)
-            throw new PictureException(
-                _options.Program,
-                $"a picture is {_jpeg.Width} x {_jpeg.Height}; {_options.Width} x {_options.Height} are wanted");
-        _jpeg.Decode(pixels);
+        if (_options.Format == ProcessCameraFormat.Mjpeg)
+            _pictures.DecodeJpeg(_stream.Bytes, start, length, pixels);
+        else
+            _pictures.ConvertYuv420(
+                _stream.Bytes, start, _options.Format == ProcessCameraFormat.Yuv420FullRange, pixels);
     }
 
+    // What is left out because no more are wanted is no loss, and leaves no gap in the numbers.
     private void Skip()
     {
-        _number++;
+        if (!_rate.IsLimited)
+            _number++;
         Interlocked.Increment(ref _skipped);
     }
 
     private void Refuse(string reason)
     {
         Interlocked.Increment(ref _refused);
-        Volatile.Write(ref _lastFault, $"{_options.Program}: {reason}");
+        string fault = $"{_options.Program}: {reason}";
+        if (!string.Equals(fault, _lastFault, StringComparison.Ordinal))
+            _lines.Add(fault, _context!.Now);
+        Volatile.Write(ref _fault, fault);
+        Volatile.Write(ref _lastFault, fault);
     }
 }

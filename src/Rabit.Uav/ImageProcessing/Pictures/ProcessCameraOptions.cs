@@ -7,6 +7,9 @@ namespace Rabit.Uav.ImageProcessing;
 /// <summary>How a <see cref="ProcessCamera"/> gets its pictures.</summary>
 public sealed class ProcessCameraOptions
 {
+    internal const double MinRate = 0.1;
+    internal const double MaxRate = 1000;
+
     /// <summary>The program, by its path or by a name that is found in PATH.</summary>
     public string Program { get; set; } = string.Empty;
 
@@ -28,10 +31,23 @@ public sealed class ProcessCameraOptions
 
     /// <summary>
     /// How long after the end of its exposure a picture arrives: readout, compression and the pipe. What it is wrong by
-    /// belongs into <c>ErrorBudget.TimeNoise</c>, with at least 20 ms.
+    /// is <see cref="TimeNoise"/>.
     /// </summary>
     /// <value>The default is 50 ms.</value>
     public TimeSpan Latency { get; set; } = TimeSpan.FromMilliseconds(50);
+
+    /// <summary>
+    /// How wrong the time of a picture is, one standard deviation: it goes into the error budget of what is seen.
+    /// </summary>
+    /// <value>The default is 20 ms, which is the least that arrival alone can be relied on for.</value>
+    public TimeSpan TimeNoise { get; set; } = TimeSpan.FromMilliseconds(20);
+
+    /// <summary>
+    /// How many pictures a second are decoded and searched, where the program gives more; null for all. More than the
+    /// detector has time for are work for nothing.
+    /// </summary>
+    /// <value>The default is null.</value>
+    public double? MaxFramesPerSecond { get; set; }
 
     /// <summary>The program is ended and started again when it has written nothing for so long.</summary>
     /// <value>The default is 5 s.</value>
@@ -53,7 +69,7 @@ public sealed class ProcessCameraOptions
     /// Takes lines for people: what the program writes to its standard error, and why it was started again. Called from
     /// several threads.
     /// </summary>
-    /// <value>The default is null: only <see cref="ProcessCamera.LastFault"/> is kept.</value>
+    /// <value>The default is null. <see cref="ProcessCamera.LogTo"/> is given the same lines.</value>
     public Action<string>? Log { get; set; }
 
     internal ProcessCameraOptions ValidatedCopy(string parameter)
@@ -64,9 +80,14 @@ public sealed class ProcessCameraOptions
             throw new ArgumentException("A camera of a process needs a program.", parameter);
         if (RgbPicture.FindSizeFault(Width, Height) is { } fault)
             throw new ArgumentException($"The camera of {Program}: {fault}.", parameter);
-        if (Exposure < TimeSpan.Zero || Latency < TimeSpan.Zero)
+        if (Exposure < TimeSpan.Zero || Latency < TimeSpan.Zero || TimeNoise < TimeSpan.Zero)
             throw new ArgumentException(
-                $"The camera of {Program}: exposure and latency must not be negative.", parameter);
+                $"The camera of {Program}: exposure, latency and time noise must not be negative.", parameter);
+        if (MaxFramesPerSecond is { } rate && !(rate >= MinRate && rate <= MaxRate))
+            throw new ArgumentException(
+                FormattableString.Invariant(
+                    $"The camera of {Program}: {rate} frames a second; it must be {MinRate} to {MaxRate}."),
+                parameter);
         if (StallTimeout <= TimeSpan.Zero || FirstRestartDelay <= TimeSpan.Zero || MaxRestartDelay < FirstRestartDelay)
             throw new ArgumentException(
                 $"The camera of {Program}: timeout and delays must be above zero, the longest not below the first.",

@@ -295,11 +295,28 @@ public sealed class CameraFolderTests : IDisposable
         Assert.Contains(
             "camera.json", Assert.Throws<PictureException>(() => CameraFolder.Open(_folder.Path)).Message,
             StringComparison.Ordinal);
-        File.WriteAllText(_folder.File("file"), "x");
+    }
+
+    [Fact]
+    public void Open_File_IsTheDescriptionWhateverItsName()
+    {
+        File.WriteAllText(_folder.File("nadir.json"), Known);
+        File.WriteAllText(_folder.File("photo"), "x");
+
+        CameraFolder folder = CameraFolder.Open(_folder.File("nadir.json"));
+
+        Assert.Equal((640, _folder.Path), (folder.Camera.Width, folder.Path));
+        Assert.IsType<FolderCamera>(folder.CreateCamera());
         Assert.Contains(
-            "that is a file", Assert.Throws<PictureException>(() => CameraFolder.Open(_folder.File("file"))).Message,
+            "it is not JSON", Assert.Throws<PictureException>(() => CameraFolder.Open(_folder.File("photo"))).Message,
             StringComparison.Ordinal);
     }
+
+    [ShellFact]
+    public void Open_Device_IsNotRead()
+        => Assert.Contains(
+            "/dev/zero: that is a device",
+            Assert.Throws<PictureException>(() => CameraFolder.Open("/dev/zero")).Message, StringComparison.Ordinal);
 
     private CameraFolder Open(string json)
     {

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Concurrent;
 using System.Collections.Generic;
+using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Threading;
@@ -89,6 +90,71 @@ public sealed class ProcessCameraTests : IDisposable
     }
 
     [ShellFact]
+    public void Read_ProgramThatIsMissing_IsAFaultThatIsTriedAgain()
+    {
+        string program = _folder.File("camera program");
+        ProcessCameraOptions options = Options(string.Empty);
+        (options.Program, options.Arguments) = (program, []);
+        options.FirstRestartDelay = options.MaxRestartDelay = TimeSpan.FromSeconds(0.3);
+        string? fault = null;
+
+        Run(options, 1, out ProcessCamera camera, before: c =>
+        {
+            Assert.True(SpinWait.SpinUntil(() => c.Statistics.Fault is not null, MaxWait));
+            fault = c.Statistics.Fault;
+            File.WriteAllText(program, $"#!/bin/sh\ncat '{Path.Combine(Jpegs, "420.jpg")}'\nsleep 60\n");
+            Process.Start("chmod", $"+x \"{program}\"")!.WaitForExit();
+        });
+
+        Assert.Equal($"{program}: there is no such program", fault);
+        Assert.Contains($"{fault}; it is tried again in 0.3 s", _log);
+        Assert.True(camera.Restarts >= 1, $"{camera.Restarts} restarts");
+        Assert.Null(camera.Statistics.Fault);
+    }
+
+    [ShellFact]
+    public void Read_FileThatIsNoProgram_IsAFault()
+    {
+        string program = _folder.File("photo");
+        File.WriteAllText(program, "no program");
+        ProcessCameraOptions options = Options(string.Empty);
+        (options.Program, options.Arguments) = (program, []);
+
+        Run(options, 0, out ProcessCamera camera, until: () => _log.Count > 2);
+
+        Assert.StartsWith($"{program}: it cannot be started: ", camera.Statistics.Fault, StringComparison.Ordinal);
+    }
+
+    [ShellFact]
+    public void Read_MorePicturesThanWanted_PassesOverTheRest()
+    {
+        ProcessCameraOptions options = Options(
+            "while :; do cat \"$1\"; sleep 0.02; done", Path.Combine(Jpegs, "420.jpg"));
+        options.MaxFramesPerSecond = 5;
+        var frames = new List<CameraFrame>();
+
+        Run(options, 4, out ProcessCamera camera, frames: frames);
+
+        TimeSpan took = frames[3].FrameStart - frames[0].FrameStart;
+        Assert.True(took > TimeSpan.FromSeconds(0.45), $"{took} for four pictures");
+        Assert.True(camera.PicturesSkipped > 3, $"{camera.PicturesSkipped} passed over");
+        Assert.Equal([0, 1, 2, 3], frames.Take(4).Select(f => f.Number));
+        Assert.All(frames, f => Assert.Equal(options.TimeNoise, f.TimeNoise));
+    }
+
+    [ShellFact]
+    public void Read_ProgramThatTalks_IsCutShortInTheLog()
+    {
+        ProcessCameraOptions options = Options(
+            "i=0; while [ $i -lt 500 ]; do echo line >&2; i=$((i+1)); done; cat \"$1\"; sleep 60",
+            Path.Combine(Jpegs, "420.jpg"));
+
+        Run(options, 1, out _, until: () => _log.Count >= 20);
+
+        Assert.InRange(_log.Count, 20, 60);
+    }
+
+    [ShellFact]
     public void Stop_ProgramThatWouldGoOn_EndsIt()
     {
         string alive = _folder.File("alive");
@@ -124,6 +190,8 @@ public sealed class ProcessCameraTests : IDisposable
         Assert.Throws<ArgumentException>(() => new ProcessCamera(new ProcessCameraOptions { Program = "sh" }));
         Assert.Throws<ArgumentException>(() => new ProcessCamera(
             new ProcessCameraOptions { Program = "sh", Width = 4, Height = 4, StallTimeout = TimeSpan.Zero }));
+        Assert.Throws<ArgumentException>(() => new ProcessCamera(
+            new ProcessCameraOptions { Program = "sh", Width = 4, Height = 4, MaxFramesPerSecond = 0 }));
     }
 
     private ProcessCameraOptions Options(string script, params string[] arguments) => new()
@@ -138,21 +206,24 @@ public sealed class ProcessCameraTests : IDisposable
 
     // Until so many pictures have come.
     private static List<byte[]> Run(
-        ProcessCameraOptions options, int count, out ProcessCamera camera, Func<bool>? until = null)
+        ProcessCameraOptions options, int count, out ProcessCamera camera, Func<bool>? until = null,
+        Action<ProcessCamera>? before = null, List<CameraFrame>? frames = null)
     {
         var pictures = new List<byte[]>();
-        using var enough = new ManualResetEventSlim();
+        using var enough = new ManualResetEventSlim(count == 0);
         camera = new ProcessCamera(options);
         using var reactor = new RabitReactor(new ReactorOptions { StopsOnSignals = false })
         {
-            new Taker(camera, pixels =>
+            new Taker(camera, (frame, pixels) =>
             {
                 pictures.Add(pixels);
+                frames?.Add(frame);
                 if (pictures.Count == count)
                     enough.Set();
             }),
         };
         reactor.Start();
+        before?.Invoke(camera);
         Assert.True(enough.Wait(MaxWait), $"{pictures.Count} pictures; {camera.LastFault}");
         Assert.True(SpinWait.SpinUntil(() => until?.Invoke() ?? true, MaxWait));
         reactor.Stop();
@@ -162,10 +233,10 @@ public sealed class ProcessCameraTests : IDisposable
 
     private sealed class Taker : RabitManager
     {
-        private readonly Action<byte[]> _take;
+        private readonly Action<CameraFrame, byte[]> _take;
         private readonly BlockingReader<CameraFrame> _reader;
 
-        public Taker(ProcessCamera camera, Action<byte[]> take)
+        public Taker(ProcessCamera camera, Action<CameraFrame, byte[]> take)
             : base("taker")
         {
             _take = take;
@@ -177,7 +248,7 @@ public sealed class ProcessCameraTests : IDisposable
             while (_reader.TryPop(out CameraFrame frame))
             {
                 using (frame)
-                    _take(frame.Pixels.Span.Slice(0, frame.Width * frame.Height * 3).ToArray());
+                    _take(frame, frame.Pixels.Span.Slice(0, frame.Width * frame.Height * 3).ToArray());
             }
         }
     }

@@ -1,0 +1,89 @@
+using System;
+using System.IO;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Vision;
+using Rabit.Vision.Tests.Pictures;
+using Xunit;
+
+namespace Rabit.Uav.Tests.ImageProcessing.Pictures;
+
+/// <summary>The source of camera.json: where pictures come from that are not in the folder.</summary>
+public sealed class CameraSourceDescriptionTests : IDisposable
+{
+    private readonly SamplePictures.TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void Open_Program_GivesItsOptions()
+    {
+        CameraFolder folder = Open("""
+            { "program": "rpicam-vid", "arguments": ["--width", "{width}", "--height", "{height}",
+                "--framerate", "{framesPerSecond}", "-o", "-"],
+              "format": "yuv420", "framesPerSecond": 7.5, "exposureMicroseconds": 2000, "latencyMicroseconds": 80000,
+              "timeNoiseMicroseconds": 25000, "stallTimeoutSeconds": 3 }
+            """);
+
+        ProcessCameraOptions options = folder.Source!;
+        Assert.Equal("rpicam-vid", options.Program);
+        Assert.Equal(
+            ["--width", "640", "--height", "480", "--framerate", "7.5", "-o", "-"], options.Arguments);
+        Assert.Equal(
+            (ProcessCameraFormat.Yuv420, 640, 480, 7.5),
+            (options.Format, options.Width, options.Height, options.MaxFramesPerSecond));
+        Assert.Equal(
+            (2.0, 80.0, 25.0, 3000.0),
+            (options.Exposure.TotalMilliseconds, options.Latency.TotalMilliseconds,
+                options.TimeNoise.TotalMilliseconds, options.StallTimeout.TotalMilliseconds));
+        Assert.Equal("rpicam-vid", Assert.IsType<ProcessCamera>(folder.CreateCamera()).Name);
+    }
+
+    [Fact]
+    public void Open_ProgramAlone_LeavesTheDefaults()
+    {
+        ProcessCameraOptions options = Open("""{ "program": "sub/camera.sh" }""").Source!;
+
+        var defaults = new ProcessCameraOptions();
+        Assert.Equal(Path.Combine(_folder.Path, "sub/camera.sh"), options.Program);
+        Assert.Empty(options.Arguments);
+        Assert.Equal(
+            (ProcessCameraFormat.Mjpeg, null, defaults.Exposure, defaults.Latency, defaults.TimeNoise),
+            (options.Format, options.MaxFramesPerSecond, options.Exposure, options.Latency, options.TimeNoise));
+    }
+
+    [Theory]
+    [InlineData("{ }", "source.program is missing")]
+    [InlineData("""{ "program": "" }""", "source.program is empty")]
+    [InlineData("""{ "program": 3 }""", "source.program is 3; it must be a text")]
+    [InlineData("""{ "program": "x", "arguments": "-o -" }""", "source.arguments is \"-o -\"; it must be a list")]
+    [InlineData(
+        """{ "program": "x", "arguments": ["-t", 0] }""", "source.arguments is [\"-t\", 0]; it must be a list of texts")]
+    [InlineData("""{ "program": "x", "format": "h264" }""", "source.format is \"h264\"; it must be one of mjpeg, ")]
+    [InlineData("""{ "program": "x", "framesPerSecond": 0 }""", "source.framesPerSecond is 0; it must be 0.1 to 1000")]
+    [InlineData(
+        """{ "program": "x", "arguments": ["{framesPerSecond}"] }""", "source.framesPerSecond is missing, and ")]
+    [InlineData("""{ "program": "x", "latencyMicroseconds": -1 }""", "source.latencyMicroseconds is -1; it must be 0 ")]
+    [InlineData("""{ "program": "x", "stallTimeoutSeconds": 0 }""", "source.stallTimeoutSeconds is 0; it must be 0.1 ")]
+    [InlineData("""{ "program": "x", "argument": ["a"] }""", "source.argument is unknown; did you mean arguments?")]
+    [InlineData("\"rpicam-vid\"", "source is missing or no object")]
+    public void Open_SourceThatIsNone_NamesTheKey(string source, string expected)
+        => Assert.Contains(
+            expected, Assert.Throws<PictureException>(() => Open(source)).Reason, StringComparison.Ordinal);
+
+    [Fact]
+    public void Open_SourceAndListedPictures_IsRefused()
+        => Assert.Contains(
+            "both a source", Assert.Throws<PictureException>(() => Open("""{ "program": "x" }, "frames": []""")).Reason,
+            StringComparison.Ordinal);
+
+    private CameraFolder Open(string source)
+    {
+        string file = _folder.File("nadir.json");
+        File.WriteAllText(file, $$"""
+            { "source": {{source}},
+              "camera": { "width": 640, "height": 480, "horizontalFieldOfViewDegrees": 62,
+                "mount": { "bodyFromCamera": [[0, -1, 0], [1, 0, 0], [0, 0, 1]], "leverArmBodyMetres": [0, 0, 0] } } }
+            """);
+        return CameraFolder.Open(file);
+    }
+}
