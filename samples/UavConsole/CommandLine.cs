@@ -164,7 +164,7 @@ internal static class CommandLine
         };
         foreach (Option option in PreflightArguments.All.Concat(OperatorArguments.All)
             .Concat(ReportArguments.All).Concat(RecordingArguments.All).Concat(AbandonedArguments.All)
-            .Concat(WebArguments.All).Concat(ConfigArguments.All))
+            .Concat(WebArguments.All).Concat(ConfigArguments.All).Concat(SimulationArguments.All))
             command.Add(option);
         command.SetAction(result =>
         {
@@ -224,6 +224,7 @@ internal static class CommandLine
         Seed = result.GetValue(Seed) ?? (given.Config?.TextOf("Seed") is null ? 1 : given.Config.Options.Seed),
         TargetCount = result.GetValue(Targets) ?? DefaultTargets,
         MovingCount = result.GetValue(Moving) ?? 0,
+        Look = SimulationArguments.Read(result),
         Vehicles = GroupArguments.Read(result),
         Group = GroupArguments.ReadGroup(result),
         Autopilot = result.GetValue(Autopilot) == "px4" ? SimulatedAutopilot.Px4 : SimulatedAutopilot.ArduPilot,
@@ -259,7 +260,8 @@ internal static class CommandLine
             .Concat(AbandonedArguments.FindFaults(
                 result, !given.IsSimulated && !given.IsReplay, given.Flies.Value))
             .Concat(WebArguments.FindFaults(result))
-            .Concat(GroupArguments.FindFaults(result, given));
+            .Concat(GroupArguments.FindFaults(result, given))
+            .Concat(SimulationArguments.FindFaults(result, given));
 
     private static IEnumerable<string> WithoutLink(ParseResult result, Given given)
     {

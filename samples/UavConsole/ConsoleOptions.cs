@@ -32,6 +32,9 @@ internal sealed class ConsoleOptions
     /// <summary>How many of the targets move.</summary>
     public int MovingCount { get; init; }
 
+    /// <summary>What the simulated camera is like.</summary>
+    public SimulatedLook Look { get; init; } = new();
+
     /// <summary>How many simulated vehicles search together.</summary>
     public int Vehicles { get; init; } = 1;
 

@@ -79,6 +79,7 @@ internal sealed class Flight : IDisposable
             Autopilot = options.Autopilot,
             Motions = SimulatedMotions.MotionsOf(options.MovingCount),
         };
+        options.Look.ApplyTo(worldOptions);
         worldOptions.TakePlacesFrom(mission);
         var world = new SimulatedWorld(worldOptions);
         var links = new MemoryLinkPair("vehicle");

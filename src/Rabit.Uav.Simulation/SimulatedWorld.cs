@@ -70,6 +70,7 @@ public sealed class SimulatedWorld
     /// <summary>How the camera is mounted, as far as the operator knows: misalignments are to be estimated.</summary>
     public CameraMount CameraMount => new()
     {
+        GimbalFrame = Options.Camera.GimbalFrame,
         GimbalLeverArmMetres = new BodyVector(
             Options.Camera.LeverArmForwardMetres, Options.Camera.LeverArmRightMetres,
             Options.Camera.LeverArmDownMetres),

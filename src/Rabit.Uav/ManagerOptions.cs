@@ -6,6 +6,7 @@ using Rabit.Links;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.AutopilotInterface;
+using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Communications;
 using Rabit.Uav.GroundControl;
 using Rabit.Uav.HealthMonitoring;
@@ -204,7 +205,7 @@ internal static class ManagerOptions
             && made.RequestsRates;
         made.Setup = made.Setup.Copy();
         made.Setup.ReadsParameters |= ChecksBeforeFlight(options);
-        if (MissionOf(options) is { HasGimbal: true }
+        if ((MissionOf(options) is { HasGimbal: true } || options.Imaging.Mount.GimbalFrame != GimbalFrame.Body)
             && made.RequestedRates.All(r => r.MessageId != GimbalDeviceAttitudeStatus.MavlinkId))
             made.RequestedRates = [.. made.RequestedRates, GimbalRate];
         made.SendsLandingTarget |= options.Imaging.LandingMarker is not null;

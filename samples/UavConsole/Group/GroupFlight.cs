@@ -48,6 +48,7 @@ internal sealed class GroupFlight : IDisposable
             Autopilot = options.Autopilot,
             Motions = SimulatedMotions.MotionsOf(options.MovingCount),
         };
+        options.Look.ApplyTo(world);
         world.TakePlacesFrom(mission);
         var flight = new GroupFlight(
             new SimulatedGroup(new SimulatedGroupOptions { Vehicles = options.Vehicles, World = world }), file,

@@ -48,9 +48,8 @@ internal struct AutopilotState
 
     public NedVector AirVelocity;
 
-    public double CameraPitch;
-
-    public double CameraYaw;
+    /// <summary>As the gimbal reports it.</summary>
+    public GimbalAngles Gimbal;
 
     /// <summary>NaN where it does not know it.</summary>
     public double BatteryVolts;

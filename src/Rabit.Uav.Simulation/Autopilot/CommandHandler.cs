@@ -27,6 +27,8 @@ internal sealed class CommandHandler(
     public MavResult Execute(in MavlinkCommand received)
     {
         bool isLong = received.Forms == MavlinkCommandForms.LongOnly;
+        if (received.Command == MavCmd.DoGimbalManagerPitchyaw)
+            return PointCamera(received.Param1, received.Param2, isLong ? received.Param5 : received.X);
         var command = new CommandInt
         {
             Command = received.Command,
@@ -75,8 +77,7 @@ internal sealed class CommandHandler(
             case MavCmd.DoChangeSpeed: return ChangeSpeed(command.Param1, command.Param2);
             case MavCmd.ConditionYaw: return Turn(command.Param1, command.Param3, command.Param4);
             case MavCmd.DoPauseContinue: return PauseOrGoOn(command.Param1);
-            case MavCmd.DoMountControl: return PointCamera(command.Param1, command.Param3);
-            case MavCmd.DoGimbalManagerPitchyaw: return PointCamera(command.Param1, command.Param2);
+            case MavCmd.DoMountControl: return PointCamera(command.Param1, command.Param3, flags: 0);
             default: return ExecuteRequest(command);
         }
     }
@@ -220,12 +221,14 @@ internal sealed class CommandHandler(
         return MavResult.Accepted;
     }
 
-    private MavResult PointCamera(float pitchDegrees, float yawDegrees)
+    private MavResult PointCamera(float pitchDegrees, float yawDegrees, float flags)
     {
         if (float.IsNaN(pitchDegrees) || float.IsNaN(yawDegrees) || Math.Abs(pitchDegrees) > 360
             || Math.Abs(yawDegrees) > 360)
             return MavResult.Denied;
-        gimbal.Point(pitchDegrees * NedMath.RadiansPerDegree, yawDegrees * NedMath.RadiansPerDegree);
+        gimbal.Point(
+            pitchDegrees * NedMath.RadiansPerDegree, yawDegrees * NedMath.RadiansPerDegree,
+            Gimbal.IsYawFromNorth(flags));
         return MavResult.Accepted;
     }
 

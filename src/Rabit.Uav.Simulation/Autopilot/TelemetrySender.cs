@@ -66,7 +66,7 @@ internal sealed partial class TelemetrySender(FlightController controller, World
                 sink.Send(new ExtendedSysState { VtolState = MavVtolState.Mc, LandedState = controller.LandedState });
                 break;
             case GpsGlobalOrigin.MavlinkId: SendOrigin(); break;
-            case GimbalDeviceAttitudeStatus.MavlinkId: SendGimbal(); break;
+            case GimbalDeviceAttitudeStatus.MavlinkId: sink.Send(_state.Gimbal.ToMessage(BootMilliseconds)); break;
             case EkfStatusReport.MavlinkId: SendEstimator(); break;
             case FenceStatus.MavlinkId: SendFence(); break;
             case ScaledPressure.MavlinkId: SendPressure(); break;
@@ -165,26 +165,6 @@ internal sealed partial class TelemetrySender(FlightController controller, World
             Direction = (float)(Math.Atan2(-wind.East, -wind.North) / NedMath.RadiansPerDegree),
             Speed = (float)wind.HorizontalLength(),
         });
-    }
-
-    // The turn from looking straight ahead, about the vehicle's own axes: yaw, then pitch.
-    private void SendGimbal()
-    {
-        (double sinPitch, double cosPitch) = (Math.Sin(_state.CameraPitch / 2), Math.Cos(_state.CameraPitch / 2));
-        (double sinYaw, double cosYaw) = (Math.Sin(_state.CameraYaw / 2), Math.Cos(_state.CameraYaw / 2));
-        var q = default(FloatArray4);
-        q[0] = (float)(cosYaw * cosPitch);
-        q[1] = (float)(-sinYaw * sinPitch);
-        q[2] = (float)(cosYaw * sinPitch);
-        q[3] = (float)(sinYaw * cosPitch);
-        sink.Send(
-            new GimbalDeviceAttitudeStatus
-            {
-                TimeBootMs = BootMilliseconds,
-                Flags = GimbalDeviceFlags.YawInVehicleFrame,
-                Q = q,
-                GimbalDeviceId = 1
-            });
     }
 
     private double Heading()

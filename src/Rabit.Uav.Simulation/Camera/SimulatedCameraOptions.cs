@@ -68,6 +68,10 @@ public sealed class SimulatedCameraOptions
     /// <value>The default is 0.</value>
     public Angle MisalignmentYaw { get; set; }
 
+    /// <summary>What holds the camera.</summary>
+    /// <value>The default is <see cref="SimulatedGimbal.AgainstBody"/>.</value>
+    public SimulatedGimbal Gimbal { get; set; }
+
     /// <summary>Pictures per second.</summary>
     /// <value>The default is 2.</value>
     public double FramesPerSecond { get; set; } = 2;
@@ -90,6 +94,13 @@ public sealed class SimulatedCameraOptions
 
     /// <summary>Times without pictures.</summary>
     public IReadOnlyList<CameraFreeze> Freezes { get; set; } = Array.Empty<CameraFreeze>();
+
+    internal GimbalFrame GimbalFrame => Gimbal switch
+    {
+        SimulatedGimbal.FollowsHeading => GimbalFrame.Heading,
+        SimulatedGimbal.HoldsNorth => GimbalFrame.North,
+        _ => GimbalFrame.Body,
+    };
 
     /// <summary>
     /// The same camera with a quarter of the pixels, 320 x 240: for long runs in which the pictures are not the
@@ -134,6 +145,8 @@ public sealed class SimulatedCameraOptions
         if (Camera.Lens != LensModel.BrownConrady || Camera.K4 != 0 || Camera.K5 != 0 || Camera.K6 != 0)
             faults.Add($"its lens is {Camera.Lens} with K4 {Camera.K4}, K5 {Camera.K5}, K6 {Camera.K6}; it must be "
                 + $"{LensModel.BrownConrady} without K4 to K6");
+        if (Gimbal is < SimulatedGimbal.AgainstBody or > SimulatedGimbal.HoldsNorth)
+            faults.Add($"{nameof(Gimbal)} is {Gimbal}; there is none of that number");
         if (!(FramesPerSecond > 0) || FramesPerSecond > 1000)
             faults.Add($"{nameof(FramesPerSecond)} is {FramesPerSecond}; it must be above 0 and at most 1000");
         if (Exposure < TimeSpan.Zero)

@@ -1,12 +1,15 @@
 using System;
+using Rabit.Geodesy;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.CameraGeometry;
 
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// Turns the camera against the body, pitch and yaw, at a limited rate. It follows angles against the body; it does
-/// not hold the horizon.
+/// Turns the camera in pitch and yaw at a limited rate: against the body. One that holds the horizon is derived from
+/// it.
 /// </summary>
-internal sealed class Gimbal
+internal class Gimbal
 {
     private const double MaxRate = 60 * NedMath.RadiansPerDegree;
     private const double MinPitch = -Math.PI / 2;
@@ -15,22 +18,52 @@ internal sealed class Gimbal
     private double _wantedPitch = MinPitch;
     private double _wantedYaw;
 
-    /// <summary>Radians, up positive; it starts looking straight down.</summary>
-    public double Pitch { get; private set; } = MinPitch;
+    /// <summary>How the camera is really turned.</summary>
+    public virtual GimbalAngles Angles => new(GimbalFrame.Body, Yaw, roll: 0, Pitch);
 
-    /// <summary>Radians, right positive.</summary>
-    public double Yaw { get; private set; }
+    /// <summary>How it says that the camera is turned.</summary>
+    public virtual GimbalAngles Reported => Angles;
 
-    public void Point(double pitch, double yaw)
+    /// <summary>Where the motors are to hold it, radians, up positive; it starts looking straight down.</summary>
+    protected double Pitch { get; private set; } = MinPitch;
+
+    /// <summary>The same, right positive.</summary>
+    protected double Yaw { get; private set; }
+
+    /// <summary>Whether the flags of a command say that its yaw is against north, not the vehicle.</summary>
+    /// <param name="flags">GIMBAL_MANAGER_FLAGS, as a parameter of a command carries them.</param>
+    public static bool IsYawFromNorth(float flags)
     {
-        _wantedPitch = NedMath.Limited(pitch, MinPitch, MaxPitch);
-        _wantedYaw = NedMath.Wrapped(yaw);
+        const GimbalManagerFlags Said = GimbalManagerFlags.YawInVehicleFrame | GimbalManagerFlags.YawInEarthFrame;
+        if (!(flags >= 0 && flags <= ushort.MaxValue))
+            return false;
+        var said = (GimbalManagerFlags)(uint)flags;
+        return (said & Said) == 0
+            ? (said & GimbalManagerFlags.YawLock) != 0
+            : (said & GimbalManagerFlags.YawInEarthFrame) != 0;
     }
 
-    public void Step(double seconds)
+    /// <param name="pitch">Radians, up positive.</param>
+    /// <param name="yaw">Radians, right positive.</param>
+    /// <param name="isYawFromNorth">Whether the yaw is against north, not the vehicle.</param>
+    public void Point(double pitch, double yaw, bool isYawFromNorth)
+    {
+        _wantedPitch = NedMath.Limited(pitch, MinPitch, MaxPitch);
+        _wantedYaw = NedMath.Wrapped(YawOf(yaw, isYawFromNorth));
+    }
+
+    /// <summary>One step.</summary>
+    /// <param name="vehicle">Its true attitude.</param>
+    /// <param name="rates">Its true rates.</param>
+    /// <param name="yawError">How much too far right the autopilot takes north for, which a gimbal has it from.</param>
+    /// <param name="seconds">How long the step is.</param>
+    public virtual void Step(EulerAngles vehicle, BodyRates rates, Angle yawError, double seconds)
     {
         double reach = MaxRate * seconds;
         Pitch += NedMath.Limited(_wantedPitch - Pitch, -reach, reach);
         Yaw += NedMath.Limited(NedMath.Wrapped(_wantedYaw - Yaw), -reach, reach);
     }
+
+    /// <summary>A yaw that was commanded, against what this one holds.</summary>
+    protected virtual double YawOf(double yaw, bool isFromNorth) => yaw;
 }

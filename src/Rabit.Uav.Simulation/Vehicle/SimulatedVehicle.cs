@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
 
 namespace Rabit.Uav.Simulation;
 
@@ -58,6 +59,9 @@ internal sealed class SimulatedVehicle : ILinkSink
         _positionAfter = options.PositionAfter;
         _errors = new NavigationErrors(options.Seed, StepSeconds);
         Body = new Multirotor { Yaw = options.Heading.Radians };
+        Mount = options.Camera.GimbalFrame == GimbalFrame.Body
+            ? new Gimbal()
+            : new StabilisedGimbal(options.Seed, options.Camera.GimbalFrame, options.Heading.Radians, StepSeconds);
 
         var constants = new SimulationRandom(options.Seed, "vehicle constants");
         TimeSpan bootedBefore = options.BootedBefore ?? TimeSpan.FromSeconds(constants.Uniform(20, 80));
@@ -86,7 +90,7 @@ internal sealed class SimulatedVehicle : ILinkSink
 
     public Battery Pack { get; }
 
-    public Gimbal Mount { get; } = new();
+    public Gimbal Mount { get; }
 
     public WindField Air { get; }
 
@@ -146,7 +150,9 @@ internal sealed class SimulatedVehicle : ILinkSink
         _script.Apply(time, this);
         Air.Step();
         _errors.Step();
-        Mount.Step(StepSeconds);
+        Mount.Step(
+            EulerAngles.FromRadians(Body.Roll, Body.Pitch, Body.Yaw), Body.Rates, _errors.EstimatedAttitude.Yaw,
+            StepSeconds);
         HandleSecondLink();
         MotionCommand command = Autopilot.Step(Senses());
         if (Pack.IsEmpty)
@@ -250,14 +256,17 @@ internal sealed class SimulatedVehicle : ILinkSink
 
     private void Record()
     {
+        GimbalAngles camera = Mount.Angles;
         var pose = new TruePose
         {
             Time = _time,
             Position = NedPosition.Origin + Body.Position,
             VelocityNed = Body.Velocity,
             Attitude = EulerAngles.FromRadians(Body.Roll, Body.Pitch, Body.Yaw),
-            CameraPitch = Angle.FromRadians(Mount.Pitch),
-            CameraYaw = Angle.FromRadians(Mount.Yaw),
+            CameraFrame = camera.Frame,
+            CameraPitch = Angle.FromRadians(camera.Pitch),
+            CameraRoll = Angle.FromRadians(camera.Roll),
+            CameraYaw = Angle.FromRadians(camera.Yaw),
         };
         _history.Add(pose);
         _recorder.Record(
@@ -288,8 +297,7 @@ internal sealed class SimulatedVehicle : ILinkSink
                 NedMath.Wrapped(Body.Yaw + errors.Yaw.Radians)),
             Rates = Body.Rates,
             AirVelocity = Body.Velocity.Minus(Air.Velocity),
-            CameraPitch = Mount.Pitch,
-            CameraYaw = Mount.Yaw,
+            Gimbal = Mount.Reported,
             BatteryVolts = Pack.MeasuredVolts,
             BatteryAmperes = Pack.Amperes,
             BatteryRemaining = Pack.Reported,

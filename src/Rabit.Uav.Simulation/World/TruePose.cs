@@ -1,5 +1,6 @@
 using System;
 using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
 
 namespace Rabit.Uav.Simulation;
 
@@ -21,9 +22,19 @@ public struct TruePose
     /// <summary>Yaw clockwise from north and not wrapped, pitch nose up, roll right side down.</summary>
     public EulerAngles Attitude { get; set; }
 
-    /// <summary>Camera pitch against the body, up positive; -90 degrees is straight down.</summary>
+    /// <summary>What the angles of the camera are against.</summary>
+    /// <value>The default is <see cref="GimbalFrame.Body"/>.</value>
+    public GimbalFrame CameraFrame { get; set; }
+
+    /// <summary>Camera pitch, up positive; -90 degrees is straight down.</summary>
     public Angle CameraPitch { get; set; }
 
-    /// <summary>Camera yaw against the body, right positive.</summary>
+    /// <summary>
+    /// Camera roll about its forward axis before it pitches, right side down positive: so much leans a camera that looks
+    /// straight down. Zero against the body.
+    /// </summary>
+    public Angle CameraRoll { get; set; }
+
+    /// <summary>Camera yaw, right positive.</summary>
     public Angle CameraYaw { get; set; }
 }

@@ -59,7 +59,9 @@ internal sealed class TruthHistory(int capacity)
                 Mix(a.Attitude.Roll, b.Attitude.Roll, part),
                 Mix(a.Attitude.Pitch, b.Attitude.Pitch, part),
                 Mix(a.Attitude.Yaw, b.Attitude.Yaw, part)),
+            CameraFrame = a.CameraFrame,
             CameraPitch = Mix(a.CameraPitch, b.CameraPitch, part),
+            CameraRoll = Mix(a.CameraRoll, b.CameraRoll, part),
             CameraYaw = Mix(a.CameraYaw, b.CameraYaw, part),
         };
     }

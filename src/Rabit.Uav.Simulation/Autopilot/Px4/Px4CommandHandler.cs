@@ -20,6 +20,8 @@ internal sealed class Px4CommandHandler(
     {
         // In COMMAND_LONG places are in degrees, heights above sea level.
         bool isLong = received.Forms == MavlinkCommandForms.LongOnly;
+        if (received.Command == MavCmd.DoGimbalManagerPitchyaw)
+            return PointCamera(received.Param1, received.Param2, isLong ? received.Param5 : received.X);
         return Execute(
             new CommandInt
             {
@@ -53,8 +55,7 @@ internal sealed class Px4CommandHandler(
             case MavCmd.DoReposition: return Reposition(command);
             case MavCmd.DoOrbit: return Orbit(command);
             case MavCmd.DoChangeSpeed: return ChangeSpeed(command.Param2);
-            case MavCmd.DoMountControl: return PointCamera(command.Param1, command.Param3);
-            case MavCmd.DoGimbalManagerPitchyaw: return PointCamera(command.Param1, command.Param2);
+            case MavCmd.DoMountControl: return PointCamera(command.Param1, command.Param3, flags: 0);
             default: return requests.Execute(command, link);
         }
     }
@@ -152,11 +153,13 @@ internal sealed class Px4CommandHandler(
         return MavResult.Accepted;
     }
 
-    private MavResult PointCamera(float pitchDegrees, float yawDegrees)
+    private MavResult PointCamera(float pitchDegrees, float yawDegrees, float flags)
     {
         if (!(Math.Abs(pitchDegrees) <= 360) || !(Math.Abs(yawDegrees) <= 360))
             return MavResult.Denied;
-        gimbal.Point(pitchDegrees * NedMath.RadiansPerDegree, yawDegrees * NedMath.RadiansPerDegree);
+        gimbal.Point(
+            pitchDegrees * NedMath.RadiansPerDegree, yawDegrees * NedMath.RadiansPerDegree,
+            Gimbal.IsYawFromNorth(flags));
         return MavResult.Accepted;
     }
 

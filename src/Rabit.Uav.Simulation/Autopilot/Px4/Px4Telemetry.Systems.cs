@@ -184,25 +184,6 @@ internal sealed partial class Px4Telemetry
         });
     }
 
-    // As ArduPilot's: the turn from looking straight ahead, about the vehicle's own axes: yaw, then pitch.
-    private void SendGimbal(int link)
-    {
-        (double sinPitch, double cosPitch) = (Math.Sin(_state.CameraPitch / 2), Math.Cos(_state.CameraPitch / 2));
-        (double sinYaw, double cosYaw) = (Math.Sin(_state.CameraYaw / 2), Math.Cos(_state.CameraYaw / 2));
-        var q = default(FloatArray4);
-        q[0] = (float)(cosYaw * cosPitch);
-        q[1] = (float)(-sinYaw * sinPitch);
-        q[2] = (float)(cosYaw * sinPitch);
-        q[3] = (float)(sinYaw * cosPitch);
-        sink.Send(link, new GimbalDeviceAttitudeStatus
-        {
-            TimeBootMs = BootMilliseconds,
-            Flags = GimbalDeviceFlags.YawInVehicleFrame,
-            Q = q,
-            GimbalDeviceId = 1,
-        });
-    }
-
     private AutopilotVersion Version()
         => new() { Capabilities = Capabilities, FlightSwVersion = Firmware, Uid = uid };
 

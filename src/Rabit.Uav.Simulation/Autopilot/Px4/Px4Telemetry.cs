@@ -81,7 +81,8 @@ internal sealed partial class Px4Telemetry(
             case EstimatorStatus.MavlinkId: SendEstimator(link); return true;
             case GpsGlobalOrigin.MavlinkId: return TrySendOrigin(link);
             case Timesync.MavlinkId: return Send(link, new Timesync { Ts1 = _state.BootMicroseconds * 1000 });
-            case GimbalDeviceAttitudeStatus.MavlinkId: SendGimbal(link); return true;
+            case GimbalDeviceAttitudeStatus.MavlinkId:
+                return Send(link, _state.Gimbal.ToMessage(BootMilliseconds));
             case WindCov.MavlinkId: return TrySendWind(link);
             case RcChannels.MavlinkId: return TrySendChannels(link);
             case MissionCurrent.MavlinkId: ReportMission?.Invoke(link); return true;
