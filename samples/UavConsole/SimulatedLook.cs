@@ -1,13 +1,31 @@
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
 using Rabit.Uav.Simulation;
 
 namespace UavConsole;
 
-/// <summary>What the simulated camera is like.</summary>
+/// <summary>What the simulated camera is like, and what it sees.</summary>
 internal sealed class SimulatedLook
 {
     /// <summary>What holds it.</summary>
     public SimulatedGimbal Gimbal { get; init; }
 
+    /// <summary>What the targets are, in turn; none: coloured panels.</summary>
+    public IReadOnlyList<SimulatedTargetKind> TargetKinds { get; init; } = [];
+
+    /// <summary>How many of them are overgrown.</summary>
+    public int PartlyHidden { get; init; }
+
     /// <summary>Before the world is made.</summary>
-    public void ApplyTo(SimulationOptions world) => world.Camera.Gimbal = Gimbal;
+    public void ApplyTo(SimulationOptions world)
+    {
+        world.Camera.Gimbal = Gimbal;
+        (world.TargetKinds, world.PartlyHiddenCount) = (TargetKinds, PartlyHidden);
+    }
+
+    /// <summary>The mission, which also searches for the classes of such targets.</summary>
+    public static MissionPlan Declare(MissionPlan mission, SimulatedWorld world)
+        => mission.WithTargets(world.Targets.Select(t => t.Declared).OfType<TargetClass>());
 }

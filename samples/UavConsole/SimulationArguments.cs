@@ -1,6 +1,8 @@
+using System;
 using System.Collections.Generic;
 using System.CommandLine;
 using System.CommandLine.Parsing;
+using System.Globalization;
 using System.Linq;
 using Rabit.Uav.Simulation;
 
@@ -9,6 +11,8 @@ namespace UavConsole;
 /// <summary>The options of the command line that say what the simulated world is like.</summary>
 internal static class SimulationArguments
 {
+    private const int MaxTargets = 50;
+
     private static readonly Option<string> Gimbal = new("--gimbal")
     {
         Description = "What holds the simulated camera: body (it rolls and pitches with the vehicle), heading "
@@ -16,9 +20,34 @@ internal static class SimulationArguments
         HelpName = "NAME",
     };
 
+    private static readonly (string Name, SimulatedTargetKind Kind)[] Kinds =
+    [
+        ("coloured", SimulatedTargetKind.ColouredPanel), ("aruco", SimulatedTargetKind.ArUcoMarker),
+        ("apriltag", SimulatedTargetKind.AprilTagMarker),
+    ];
+
+    private static readonly Option<SimulatedTargetKind[]> TargetKinds = new("--target-kinds")
+    {
+        Description = "What the simulated targets are, in turn, by commas: " + NamesOfKinds + ". The mission also "
+            + "searches for their classes. coloured without it.",
+        HelpName = "NAMES",
+        CustomParser = ParseKinds,
+        AllowMultipleArgumentsPerToken = false,
+    };
+
+    private static readonly Option<int?> PartlyHidden = new("--partly-hidden")
+    {
+        Description = "How many of the simulated targets, the first that are no markers, are overgrown by a fifth to "
+            + $"two fifths, 0 to {MaxTargets}. 0 without it.",
+        HelpName = "N",
+        CustomParser = ParseCount,
+    };
+
     static SimulationArguments() => Gimbal.AcceptOnlyFromAmong("body", "heading", "north");
 
-    public static IEnumerable<Option> All => [Gimbal];
+    public static IEnumerable<Option> All => [Gimbal, TargetKinds, PartlyHidden];
+
+    private static string NamesOfKinds => string.Join(", ", Kinds.Select(k => k.Name));
 
     /// <summary>Puts what was asked for into the options of the world.</summary>
     public static SimulatedLook Read(ParseResult result) => new()
@@ -29,6 +58,8 @@ internal static class SimulationArguments
             "north" => SimulatedGimbal.HoldsNorth,
             _ => SimulatedGimbal.AgainstBody,
         },
+        TargetKinds = result.GetValue(TargetKinds) ?? [],
+        PartlyHidden = result.GetValue(PartlyHidden) ?? 0,
     };
 
     public static IEnumerable<string> FindFaults(ParseResult result, Given given)
@@ -36,4 +67,28 @@ internal static class SimulationArguments
             ? []
             : All.Where(o => result.GetResult(o) is { Implicit: false })
                 .Select(o => $"{o.Name} is for the simulation; it does not go with --link.");
+
+    private static SimulatedTargetKind[] ParseKinds(ArgumentResult result)
+    {
+        var kinds = new List<SimulatedTargetKind>();
+        foreach (string name in result.Tokens.SelectMany(t => t.Value.Split(',')))
+        {
+            int at = Array.FindIndex(Kinds, k => k.Name == name);
+            if (at >= 0)
+                kinds.Add(Kinds[at].Kind);
+            else
+                result.AddError($"--target-kinds: '{name}' is no kind of target; there are {NamesOfKinds}.");
+        }
+
+        return kinds.ToArray();
+    }
+
+    private static int? ParseCount(ArgumentResult result)
+    {
+        string text = result.Tokens[0].Value;
+        if (int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int count) && count <= MaxTargets)
+            return count;
+        result.AddError($"--partly-hidden {text}: it must be a number from 0 to {MaxTargets}.");
+        return null;
+    }
 }

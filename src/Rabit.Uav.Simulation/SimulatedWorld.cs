@@ -57,7 +57,8 @@ public sealed class SimulatedWorld
         Options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
         Frame = new WorldFrame(Options.Home);
         Things = TargetField.Place(
-            unchecked((ulong)Options.Seed), Options.Area, Options.TargetCount, Options.DistractorCount)
+            unchecked((ulong)Options.Seed), Options.Area, Options.TargetCount, Options.DistractorCount,
+            Options.TargetKinds, Options.PartlyHiddenCount)
             .Select(WithMotion).ToArray();
     }
 

@@ -102,6 +102,19 @@ public sealed class SimulationOptions
     /// <value>The default is 6.</value>
     public int DistractorCount { get; set; } = 6;
 
+    /// <summary>
+    /// What the targets are, in turn. They lie where coloured panels of the same seed would lie, beside the same
+    /// distractors.
+    /// </summary>
+    /// <value>The default is none: all are <see cref="SimulatedTargetKind.ColouredPanel"/>.</value>
+    public IReadOnlyList<SimulatedTargetKind> TargetKinds { get; set; } = Array.Empty<SimulatedTargetKind>();
+
+    /// <summary>
+    /// How many of the targets, the first that are no markers, are overgrown by a fifth to two fifths.
+    /// </summary>
+    /// <value>The default is 0.</value>
+    public int PartlyHiddenCount { get; set; }
+
     /// <summary>How the first targets move, in their order; those without one stand.</summary>
     /// <value>The default is none: all stand.</value>
     public IReadOnlyList<SimulatedMotion> Motions { get; set; } = Array.Empty<SimulatedMotion>();
@@ -184,6 +197,7 @@ public sealed class SimulationOptions
             .ValidatedCopy(parameter);
         copy.Area = Area.ToArray();
         copy.Motions = Motions.ToArray();
+        copy.TargetKinds = TargetKinds.ToArray();
         copy.Faults = Faults.OrderBy(f => f.At).Select(f => ScriptedFaultChecks.WithModeNumber(f, Autopilot)).ToArray();
         copy.Parameters = Parameters.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal);
         return copy;
@@ -237,6 +251,11 @@ public sealed class SimulationOptions
             || Motions.Any(m => m is < SimulatedMotion.Standing or > SimulatedMotion.Erratic))
             yield return $"{nameof(Motions)} must be motions that there are, at most one for each of the "
                 + $"{TargetCount} targets";
+        if (TargetKinds is null
+            || TargetKinds.Any(k => k is < SimulatedTargetKind.ColouredPanel or > SimulatedTargetKind.AprilTagMarker))
+            yield return $"{nameof(TargetKinds)} must be kinds that there are";
+        if (PartlyHiddenCount is < 0 or > 1000)
+            yield return $"{nameof(PartlyHiddenCount)} is {PartlyHiddenCount}; it must be 0 to 1000";
         if (Area is null || Area.Count < 3)
             yield return $"{nameof(Area)} must have at least three corners";
         foreach (string fault in FindFaultsOfParameters().Concat(ScriptedFaultChecks.FindFaults(this)))

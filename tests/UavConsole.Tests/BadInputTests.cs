@@ -86,6 +86,11 @@ public sealed class BadInputTests : IDisposable
     [InlineData("--link udpin:127.0.0.1:14550 --px4-events /nowhere/e.json",
         "--px4-events /nowhere/e.json cannot be read: ")]
     [InlineData("--moving 51", "--moving 51: it must be a number from 0 to 50.")]
+    [InlineData("--target-kinds coloured,tank",
+        "--target-kinds: 'tank' is no kind of target; there are coloured, aruco, apriltag.")]
+    [InlineData("--partly-hidden -1", "--partly-hidden -1: it must be a number from 0 to 50.")]
+    [InlineData("--link udpin:127.0.0.1:14550 --target-kinds aruco", "--target-kinds is for the simulation")]
+    [InlineData("--link udpin:127.0.0.1:14550 --partly-hidden 1", "--partly-hidden is for the simulation")]
     [InlineData("--moving 3 --targets 2", "--moving is more than there are targets")]
     [InlineData("--targets 51", "--targets 51: it must be a number from 0 to 50.")]
     public void CommandLine_BadInput_IsOneLineAndExitCode2(string arguments, string expected)

@@ -19,7 +19,7 @@ internal sealed class GroupFlight : IDisposable
     private const double LayerSpacingMetres = 17;
 
     private GroupFlight(SimulatedGroup group, MissionFile file, MissionPlan mission)
-        => (Group, MissionFile, Mission) = (group, file, mission);
+        => (Group, MissionFile, Mission) = (group, file, SimulatedLook.Declare(mission, group.Vehicles[0].World));
 
     /// <summary>For the thread that simulates.</summary>
     public SimulatedGroup Group { get; }

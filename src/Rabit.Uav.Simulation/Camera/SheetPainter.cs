@@ -26,7 +26,11 @@ internal sealed class SheetPainter(LensRays lens, IEnumerable<SimulatedTarget> s
             if (isInFirst || isInSecond)
             {
                 box = !isInFirst ? other : isInSecond ? box.With(other) : box;
-                Paint(sheet.Surface, new SheetView(sheet, first), new SheetView(sheet, second), box, pixels);
+                (SheetView early, SheetView late) = (new SheetView(sheet, first), new SheetView(sheet, second));
+                if (sheet.Pattern is { } pattern)
+                    Paint(pattern, early, late, box, pixels);
+                else
+                    Paint(sheet.Surface, early, late, box, pixels);
             }
         }
     }
@@ -42,6 +46,42 @@ internal sealed class SheetPainter(LensRays lens, IEnumerable<SimulatedTarget> s
                 if (covered > 0)
                     Cover(pixels, ((v * lens.Width) + u) * 3, surface, covered);
             }
+        }
+    }
+
+    private void Paint(SurfacePattern pattern, in SheetView first, in SheetView second, PixelBox box, byte[] pixels)
+    {
+        for (int v = box.Top; v <= box.Bottom; v++)
+        {
+            for (int u = box.Left; u <= box.Right; u++)
+            {
+                var cone = new PixelCone(lens, u, v);
+                if (!IsMissed(first, cone) || !IsMissed(second, cone))
+                {
+                    var sum = default(ColourSum);
+                    Add(pattern, first, cone, ref sum);
+                    Add(pattern, second, cone, ref sum);
+                    sum.Cover(pixels, ((v * lens.Width) + u) * 3, 2 * RaysPerPose);
+                }
+            }
+        }
+    }
+
+    private static bool IsMissed(in SheetView view, in PixelCone cone)
+        => (view.SidesMissed(cone.X(-0.5, -0.5), cone.Y(-0.5, -0.5))
+            & view.SidesMissed(cone.X(0.5, -0.5), cone.Y(0.5, -0.5))
+            & view.SidesMissed(cone.X(-0.5, 0.5), cone.Y(-0.5, 0.5))
+            & view.SidesMissed(cone.X(0.5, 0.5), cone.Y(0.5, 0.5))) != 0;
+
+    private static void Add(SurfacePattern pattern, in SheetView view, in PixelCone cone, ref ColourSum sum)
+    {
+        for (int ray = 0; ray < RaysPerPose; ray++)
+        {
+            double du = (((ray % RaysPerSide) + 0.5) / RaysPerSide) - 0.5;
+            double dv = (((ray / RaysPerSide) + 0.5) / RaysPerSide) - 0.5;
+            if (view.TryLocate(cone.X(du, dv), cone.Y(du, dv), out double back, out double right)
+                && pattern.TryAt(back, right, out SurfaceColour colour))
+                sum.Add(colour);
         }
     }
 

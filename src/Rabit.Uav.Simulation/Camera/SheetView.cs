@@ -47,6 +47,20 @@ internal readonly struct SheetView
         return (along > side ? 1 : 0) | (along < -side ? 2 : 0) | (across > width ? 4 : 0) | (across < -width ? 8 : 0);
     }
 
+    /// <summary>
+    /// Where in the rectangle a ray meets it, from its forward left corner, in parts of its sides; false beside it.
+    /// </summary>
+    public bool TryLocate(double x, double y, out double back, out double right)
+    {
+        (back, right) = (0, 0);
+        double down = Value(_down, x, y);
+        if (down <= 0)
+            return false;
+        back = 0.5 - (Value(_along, x, y) / (2 * _halfSide * down));
+        right = 0.5 + (Value(_across, x, y) / (2 * _halfWidth * down));
+        return back is >= 0 and < 1 && right is >= 0 and < 1;
+    }
+
     // Where a ray meets the ground: camera + height x (its level part) / (its part downwards); here times that part.
     private static Vector3 Terms(in CameraPose pose, double towardsNorth, double towardsEast, double camera) => new(
         Term(pose.Axes.Right, pose.Height, towardsNorth, towardsEast, camera),

@@ -10,6 +10,21 @@ namespace Rabit.Uav.Simulation;
 /// </summary>
 public sealed class SimulatedTarget
 {
+    /// <summary>Makes a thing whose values are set with it.</summary>
+    public SimulatedTarget()
+    {
+    }
+
+    private SimulatedTarget(SimulatedTarget other)
+    {
+        (Id, Name, Class, Declared, MarkerId) = (other.Id, other.Name, other.Class, other.Declared, other.MarkerId);
+        (Position, Heading) = (other.Position, other.Heading);
+        (SideMetres, WidthMetres) = (other.SideMetres, other.WidthMetres);
+        (IsDistractor, IsPartlyHidden) = (other.IsDistractor, other.IsPartlyHidden);
+        (Surface, Pattern) = (other.Surface, other.Pattern);
+        (Motion, Route, RouteOffset, RouteStart) = (other.Motion, other.Route, other.RouteOffset, other.RouteStart);
+    }
+
     /// <summary>Its number, from 1, targets first.</summary>
     public int Id { get; init; }
 
@@ -28,7 +43,7 @@ public sealed class SimulatedTarget
     public NedPosition Position { get; init; }
 
     /// <summary>Its length along <see cref="Heading"/>, metres.</summary>
-    /// <value>The default is 1: all targets are squares of 1 m.</value>
+    /// <value>The default is 1: coloured panels are squares of 1 m.</value>
     public double SideMetres { get; init; } = 1;
 
     /// <summary>Its length across <see cref="Heading"/>, metres.</summary>
@@ -51,7 +66,22 @@ public sealed class SimulatedTarget
 
     private TimeSpan RouteStart { get; init; }
 
+    /// <summary>Which marker it is; null for what is none.</summary>
+    public int? MarkerId { get; init; }
+
+    /// <summary>Whether a part of it is overgrown.</summary>
+    public bool IsPartlyHidden { get; init; }
+
+    /// <summary>
+    /// Its class, as a mission that searches for it may declare it; null where it is one of
+    /// <see cref="TargetClass.Defaults"/>, or a distractor.
+    /// </summary>
+    public TargetClass? Declared { get; init; }
+
     internal SurfaceColour Surface { get; init; }
+
+    /// <summary>What it looks like where it is not of one colour.</summary>
+    internal SurfacePattern? Pattern { get; init; }
 
     /// <summary>Where its centre is at a time, in the frame of the world. Any thread.</summary>
     /// <param name="time">By the clock of the run; before the start it is where it is at the start.</param>
@@ -63,38 +93,14 @@ public sealed class SimulatedTarget
     public NedVector VelocityAt(TimeSpan time) => Route?.VelocityAt(time + RouteStart) ?? NedVector.Zero;
 
     internal SimulatedTarget With(SimulatedMotion motion, TargetRoute route)
-        => new()
-        {
-            Id = Id,
-            Name = Name,
-            Class = Class,
-            Position = route.PositionAt(TimeSpan.Zero),
-            SideMetres = SideMetres,
-            WidthMetres = WidthMetres,
-            Heading = Heading,
-            IsDistractor = IsDistractor,
-            Surface = Surface,
-            Motion = motion,
-            Route = route,
-        };
+        => new(this) { Position = route.PositionAt(TimeSpan.Zero), Motion = motion, Route = route };
+
+    internal SimulatedTarget PartlyHidden(SurfacePattern pattern)
+        => new(this) { IsPartlyHidden = true, Pattern = pattern };
 
     /// <summary>The same in another frame.</summary>
     /// <param name="position">Where it is at the start.</param>
     /// <param name="routeStart">How long it has moved at the beginning of the clock there.</param>
-    internal SimulatedTarget At(NedPosition position, TimeSpan routeStart) => new()
-    {
-        Id = Id,
-        Name = Name,
-        Class = Class,
-        Position = position,
-        SideMetres = SideMetres,
-        WidthMetres = WidthMetres,
-        Heading = Heading,
-        IsDistractor = IsDistractor,
-        Surface = Surface,
-        Motion = Motion,
-        Route = Route,
-        RouteOffset = position - Position,
-        RouteStart = routeStart,
-    };
+    internal SimulatedTarget At(NedPosition position, TimeSpan routeStart)
+        => new(this) { Position = position, RouteOffset = position - Position, RouteStart = routeStart };
 }

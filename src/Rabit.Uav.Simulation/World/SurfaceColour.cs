@@ -16,11 +16,14 @@ internal readonly struct SurfaceColour(int red, int green, int blue)
     /// channel.
     /// </summary>
     public SurfaceColour Vary(ref SeededSequence random)
-    {
-        double light = 1 + (0.07 * random.NextSigned());
-        return new SurfaceColour(
-            Channel(Red, light, ref random), Channel(Green, light, ref random), Channel(Blue, light, ref random));
-    }
+        => Vary(LightOf(ref random), ref random);
+
+    /// <summary>The same, where it lies in the light of others: <see cref="LightOf"/>.</summary>
+    public SurfaceColour Vary(double light, ref SeededSequence random) => new(
+        Channel(Red, light, ref random), Channel(Green, light, ref random), Channel(Blue, light, ref random));
+
+    /// <summary>How much lighter or darker one thing of many is.</summary>
+    public static double LightOf(ref SeededSequence random) => 1 + (0.07 * random.NextSigned());
 
     private static int Channel(int nominal, double light, ref SeededSequence random)
     {

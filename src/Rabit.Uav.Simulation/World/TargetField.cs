@@ -21,6 +21,8 @@ public static class TargetField
 
     private const ulong PurposeOfPlaces = 0x706C616365;
     private const ulong PurposeOfAppearance = 0x6C6F6F6B73;
+    private const ulong PurposeOfKinds = 0x6B696E6473;
+    private const ulong PurposeOfCover = 0x636F766572;
 
     /// <summary>
     /// Lays out targets, squares of 1 m in each of the five colours in turn, and distractors: the same for the same
@@ -63,6 +65,70 @@ public static class TargetField
         }
 
         return things;
+    }
+
+    /// <summary>
+    /// As the other, where the targets are of several kinds: at the same places, beside the same distractors.
+    /// </summary>
+    /// <param name="seed">Another seed, another layout.</param>
+    /// <param name="area">As of the other.</param>
+    /// <param name="targets">As of the other.</param>
+    /// <param name="distractors">As of the other.</param>
+    /// <param name="kinds">What the targets are, in turn; none: coloured panels.</param>
+    /// <param name="partlyHidden">
+    /// How many of them, the first that are no markers, are overgrown by a fifth to two fifths.
+    /// </param>
+    /// <returns>All things, targets first; the numbers begin at 1.</returns>
+    /// <exception cref="ArgumentException">
+    /// As of the other; or there is no such kind, or <paramref name="partlyHidden"/> is negative.
+    /// </exception>
+    public static IReadOnlyList<SimulatedTarget> Place(
+        ulong seed, IReadOnlyList<NedPosition> area, int targets, int distractors,
+        IReadOnlyList<SimulatedTargetKind> kinds, int partlyHidden)
+    {
+        if (kinds is null)
+            throw new ArgumentNullException(nameof(kinds));
+        if (partlyHidden < 0)
+            throw new ArgumentOutOfRangeException(
+                nameof(partlyHidden), partlyHidden, "The number of hidden targets cannot be negative.");
+        SimulatedTarget[] things = Place(seed, area, targets, distractors).ToArray();
+        var numbers = new Dictionary<SimulatedTargetKind, int>();
+        for (int i = 0; i < targets; i++)
+        {
+            SimulatedTargetKind kind = kinds.Count == 0 ? SimulatedTargetKind.ColouredPanel : kinds[i % kinds.Count];
+            numbers.TryGetValue(kind, out int number);
+            numbers[kind] = number + 1;
+            if (kind != SimulatedTargetKind.ColouredPanel)
+                things[i] = Make(things[i], TargetLooks.Of(kind, number, seed), seed);
+            if (partlyHidden > 0 && things[i].MarkerId is null)
+            {
+                var cover = new SeededSequence(SeededSequence.Derive(seed, PurposeOfCover, (ulong)i));
+                things[i] = things[i].PartlyHidden(
+                    (things[i].Pattern ?? SurfacePattern.Of(things[i].Surface)).PartlyHidden(ref cover));
+                partlyHidden--;
+            }
+        }
+
+        return things;
+    }
+
+    private static SimulatedTarget Make(SimulatedTarget place, TargetLook look, ulong seed)
+    {
+        var random = new SeededSequence(SeededSequence.Derive(seed, PurposeOfKinds, (ulong)place.Id));
+        return new SimulatedTarget
+        {
+            Id = place.Id,
+            Name = look.Name + " " + place.Id.ToString(CultureInfo.InvariantCulture),
+            Class = look.Declared.Name,
+            Declared = look.Declared,
+            Position = place.Position,
+            SideMetres = look.SideMetres,
+            WidthMetres = look.WidthMetres,
+            Heading = place.Heading,
+            MarkerId = look.MarkerId,
+            Surface = look.Pattern.Main,
+            Pattern = look.Pattern.Vary(ref random),
+        };
     }
 
     private static SimulatedTarget Make(

@@ -1,5 +1,7 @@
 using System;
+using System.Collections.Generic;
 using System.Collections.Immutable;
+using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
@@ -27,6 +29,26 @@ public sealed partial class MissionPlan
         (AllowsPartialSearch, AllowUnknownBattery) = (other.AllowsPartialSearch, other.AllowUnknownBattery);
         (MaxHeightMetres, MaxDistanceMetres) = (other.MaxHeightMetres, other.MaxDistanceMetres);
         (ObstacleHeightMetres, GroundStationLost) = (other.ObstacleHeightMetres, other.GroundStationLost);
+    }
+
+    /// <summary>
+    /// The same that also searches for further classes of targets, which it declares; one that names no targets of
+    /// interest goes on searching for all.
+    /// </summary>
+    /// <param name="classes">Those that it declares already, by their names, are searched for as it does.</param>
+    public MissionPlan WithTargets(IEnumerable<TargetClass> classes)
+    {
+        if (classes is null)
+            throw new ArgumentNullException(nameof(classes));
+        TargetClass[] more = classes.GroupBy(c => c.Name).Select(c => c.First()).ToArray();
+        ImmutableArray<TargetClass> own = TargetClasses.IsDefault ? [] : TargetClasses;
+        return new(this)
+        {
+            TargetClasses = [.. own, .. more.Where(c => own.All(o => o.Name != c.Name))],
+            Targets = Targets.IsDefaultOrEmpty
+                ? []
+                : [.. Targets, .. more.Select(c => c.Name).Where(n => !Targets.Contains(n))],
+        };
     }
 
     internal MissionPlan WithSpeed(double metresPerSecond)

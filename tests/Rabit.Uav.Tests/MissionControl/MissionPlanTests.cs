@@ -234,6 +234,26 @@ public class MissionPlanTests
     }
 
     [Fact]
+    public void WithTargets_FurtherClasses_AreDeclaredAndSearchedForBesideItsOwn()
+    {
+        MissionPlan plan = new()
+        {
+            Name = "pads",
+            Targets = [DefaultTargetClasses.Red, new TargetClassName("pad")],
+            TargetClasses = [new TargetClass("pad") { MinSideMetres = 0.3 }],
+        };
+        TargetClass car = new("car");
+        MissionPlan more = plan.WithTargets([new TargetClass("pad"), car, car]);
+
+        Assert.Equal("pads", more.Name);
+        Assert.Equal(["red", "pad", "car"], more.Targets.Select(t => t.ToString()));
+        Assert.Equal(["pad", "car"], more.TargetClasses.Select(c => c.Name.ToString()));
+        Assert.Equal(0.3, more.TargetClasses[0].MinSideMetres);
+        Assert.Equal(2, plan.Targets.Length);
+        Assert.Empty(new MissionPlan().WithTargets([car]).Targets);   // all
+    }
+
+    [Fact]
     public void Options_MissionThatCannotBeFlown_IsRefusedWithAllFaults()
     {
         ArgumentException e = Assert.Throws<ArgumentException>(() => new MissionControlManager(new MissionControlOptions
