@@ -18,7 +18,7 @@ public enum SimulatedTargetKind
     /// </summary>
     TwoColouredPanel,
 
-    /// <summary>Somebody who lies on the ground, 1.75 m by 0.65 m, in a jacket of one colour ("person").</summary>
+    /// <summary>A person who lies on the ground, 1.75 m by 0.65 m, in a jacket of one colour ("person").</summary>
     Person,
 
     /// <summary>A car from above, 4.4 m by 1.8 m, with dark windows ("car").</summary>

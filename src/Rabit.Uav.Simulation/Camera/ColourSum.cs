@@ -1,6 +1,8 @@
 namespace Rabit.Uav.Simulation;
 
-/// <summary>The colours that the rays of one pixel meet. A changing value: keep it in a local that is not copied.</summary>
+/// <summary>
+/// The colours that the rays of one pixel meet. A changing value: keep it in a local that is not copied.
+/// </summary>
 internal struct ColourSum
 {
     private int _red;

@@ -2,7 +2,9 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>What a target of a kind is: its size, what it looks like, and the class that a mission may declare.</summary>
+/// <summary>
+/// What a target of a kind is: its size, what it looks like, and the class that a mission may declare.
+/// </summary>
 internal sealed class TargetLook(
     string name, TargetClass declared, double sideMetres, double widthMetres, SurfacePattern pattern)
 {

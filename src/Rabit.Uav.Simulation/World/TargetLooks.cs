@@ -5,7 +5,9 @@ using Rabit.Vision;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>The looks of all kinds of targets. Those of one world wear the same jackets and drive the same cars.</summary>
+/// <summary>
+/// The looks of all kinds of targets. Those of one world wear the same jackets and drive the same cars.
+/// </summary>
 internal static class TargetLooks
 {
     private const ulong PurposeOfChoice = 0x636C6F74686573;

@@ -30,8 +30,8 @@ public struct TruePose
     public Angle CameraPitch { get; set; }
 
     /// <summary>
-    /// Camera roll about its forward axis before it pitches, right side down positive: so much leans a camera that looks
-    /// straight down. Zero against the body.
+    /// Camera roll about its forward axis before it pitches, right side down positive: so much leans a camera that
+    /// looks straight down. Zero against the body.
     /// </summary>
     public Angle CameraRoll { get; set; }
 

@@ -36,7 +36,8 @@ public sealed class TargetKindTests
         IReadOnlyList<SimulatedTarget> plain = TargetField.Place(7, Area, 16, 4);
         IReadOnlyList<SimulatedTarget> mixed = TargetField.Place(7, Area, 16, 4, All, partlyHidden: 3);
 
-        Assert.Equal(plain.Select(t => (t.Id, t.Position, t.Heading)), mixed.Select(t => (t.Id, t.Position, t.Heading)));
+        Assert.Equal(
+            plain.Select(t => (t.Id, t.Position, t.Heading)), mixed.Select(t => (t.Id, t.Position, t.Heading)));
         Assert.Equal(plain.Skip(16).Select(Describe), mixed.Skip(16).Select(Describe));
         Assert.Equal(3, mixed.Count(t => t.IsPartlyHidden));
         Assert.Equal(
