@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Uav.Messages;
@@ -12,6 +13,9 @@ internal sealed class SimulatedLook
     /// <summary>What holds it.</summary>
     public SimulatedGimbal Gimbal { get; init; }
 
+    /// <summary>What makes its pictures worse: moderate or harsh; nothing else does.</summary>
+    public string? Effects { get; init; }
+
     /// <summary>What the targets are, in turn; none: coloured panels.</summary>
     public IReadOnlyList<SimulatedTargetKind> TargetKinds { get; init; } = [];
 
@@ -22,8 +26,15 @@ internal sealed class SimulatedLook
     public void ApplyTo(SimulationOptions world)
     {
         world.Camera.Gimbal = Gimbal;
+        if (Effects == "moderate")
+            Apply(world.Camera, SimulatedPictureEffects.CreateModerate(), exposureMilliseconds: 6);
+        else if (Effects == "harsh")
+            Apply(world.Camera, SimulatedPictureEffects.CreateHarsh(), exposureMilliseconds: 12);
         (world.TargetKinds, world.PartlyHiddenCount) = (TargetKinds, PartlyHidden);
     }
+
+    private static void Apply(SimulatedCameraOptions camera, SimulatedPictureEffects effects, int exposureMilliseconds)
+        => (camera.Effects, camera.Exposure) = (effects, TimeSpan.FromMilliseconds(exposureMilliseconds));
 
     /// <summary>The mission, which also searches for the classes of such targets.</summary>
     public static MissionPlan Declare(MissionPlan mission, SimulatedWorld world)

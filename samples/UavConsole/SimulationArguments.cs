@@ -20,6 +20,13 @@ internal static class SimulationArguments
         HelpName = "NAME",
     };
 
+    private static readonly Option<string> Effects = new("--picture-effects")
+    {
+        Description = "What makes the simulated pictures worse, motion blur, clouds, a wrong white balance and JPEG "
+            + "among it: none, moderate or harsh. none without it.",
+        HelpName = "NAME",
+    };
+
     private static readonly (string Name, SimulatedTargetKind Kind)[] Kinds =
     [
         ("coloured", SimulatedTargetKind.ColouredPanel), ("aruco", SimulatedTargetKind.ArUcoMarker),
@@ -43,9 +50,13 @@ internal static class SimulationArguments
         CustomParser = ParseCount,
     };
 
-    static SimulationArguments() => Gimbal.AcceptOnlyFromAmong("body", "heading", "north");
+    static SimulationArguments()
+    {
+        Gimbal.AcceptOnlyFromAmong("body", "heading", "north");
+        Effects.AcceptOnlyFromAmong("none", "moderate", "harsh");
+    }
 
-    public static IEnumerable<Option> All => [Gimbal, TargetKinds, PartlyHidden];
+    public static IEnumerable<Option> All => [Gimbal, TargetKinds, PartlyHidden, Effects];
 
     private static string NamesOfKinds => string.Join(", ", Kinds.Select(k => k.Name));
 
@@ -58,6 +69,7 @@ internal static class SimulationArguments
             "north" => SimulatedGimbal.HoldsNorth,
             _ => SimulatedGimbal.AgainstBody,
         },
+        Effects = result.GetValue(Effects),
         TargetKinds = result.GetValue(TargetKinds) ?? [],
         PartlyHidden = result.GetValue(PartlyHidden) ?? 0,
     };

@@ -47,6 +47,7 @@ public sealed class BadInputTests : IDisposable
     [InlineData("--link udpin:127.0.0.1:14550 --fly", "--fly needs --mission FILE")]
     [InlineData("--link udpin:127.0.0.1:14550 --seed 3", "--seed is for the simulation")]
     [InlineData("--link udpin:127.0.0.1:14550 --moving 1", "--moving is for the simulation")]
+    [InlineData("--link udpin:127.0.0.1:14550 --picture-effects harsh", "--picture-effects is for the simulation")]
     [InlineData("--link udpin:127.0.0.1:14550 --gimbal north", "--gimbal is for the simulation")]
     [InlineData("--link udpin:127.0.0.1:14550 --targets 3", "--targets is for the simulation")]
     [InlineData("--link udpin:127.0.0.1:14550 --realtime", "--realtime is for the simulation")]

@@ -14,6 +14,7 @@ internal sealed class PictureRenderer
     private readonly SheetPainter _sheets;
     private readonly SensorFinish _finish;
     private readonly LensFaults _faults;
+    private readonly PictureEffects _effects;
 
     /// <exception cref="System.ArgumentException">No ray of light falls on some pixel.</exception>
     public PictureRenderer(SimulatedCameraOptions options, IEnumerable<SimulatedTarget> sheets, ulong seed)
@@ -22,6 +23,7 @@ internal sealed class PictureRenderer
         _ground = new GroundPainter(lens, new GroundTexture(SeededSequence.Derive(seed, PurposeOfGround)));
         _sheets = new SheetPainter(lens, sheets);
         _faults = new LensFaults(lens.Width, lens.Height);
+        _effects = new PictureEffects(options.Effects, lens, seed);
         _finish = new SensorFinish(lens.Width, lens.Height, options.NoiseSigma, seed);
     }
 
@@ -37,11 +39,17 @@ internal sealed class PictureRenderer
         IReadOnlyList<ScriptedFault>? faults = null)
     {
         _ground.Paint(middle, pixels);
-        _sheets.Paint(early, late, pixels);
+        if (_effects.HasMotionBlur)
+            _sheets.Paint(middle, middle, pixels);
+        else
+            _sheets.Paint(early, late, pixels);
+        _effects.ApplyToScene(middle, early, late, pixels);
         if (faults is { Count: > 0 })
             _faults.Apply(faults, pixels);
+        _effects.ApplyToLight(pixels);
         _finish.Apply(pixels, number);
         if (faults is { Count: > 0 })
             LensFaults.Overexpose(faults, pixels);
+        _effects.ApplyToPicture(pixels);
     }
 }

@@ -88,6 +88,10 @@ public sealed class SimulatedCameraOptions
     /// <value>The default is 2.5.</value>
     public double NoiseSigma { get; set; } = 2.5;
 
+    /// <summary>What makes the pictures worse.</summary>
+    /// <value>The default is nothing.</value>
+    public SimulatedPictureEffects Effects { get; set; } = new();
+
     /// <summary>How many pictures may be on their way at once; while all buffers are out, pictures are lost.</summary>
     /// <value>The default is 6.</value>
     public int Buffers { get; set; } = 6;
@@ -131,9 +135,13 @@ public sealed class SimulatedCameraOptions
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
     internal SimulatedCameraOptions ValidatedCopy(string parameter)
     {
-        if (Camera is null || Freezes is null)
+        if (Camera is null || Freezes is null || Effects is null)
+        {
             throw new ArgumentException(
-                $"Simulated camera: {nameof(Camera)} and {nameof(Freezes)} may not be null.", parameter);
+                $"Simulated camera: {nameof(Camera)}, {nameof(Freezes)} and {nameof(Effects)} may not be null.",
+                parameter);
+        }
+
         var faults = new List<string>();
         CheckPixels(faults, "Width", Camera.Width);
         CheckPixels(faults, "Height", Camera.Height);
@@ -157,10 +165,12 @@ public sealed class SimulatedCameraOptions
             faults.Add($"{nameof(NoiseSigma)} is {NoiseSigma}; it must be 0 to 20");
         if (Buffers < 1)
             faults.Add($"{nameof(Buffers)} is {Buffers}; it must be at least 1");
+        faults.AddRange(Effects.FindFaults());
         if (faults.Count > 0)
             throw new ArgumentException("Simulated camera: " + string.Join("; ", faults) + ".", parameter);
         var copy = (SimulatedCameraOptions)MemberwiseClone();
         copy.Freezes = Freezes.ToArray();
+        copy.Effects = Effects.Copy();
         return copy;
     }
 

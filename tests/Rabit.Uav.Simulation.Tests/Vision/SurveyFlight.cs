@@ -38,6 +38,9 @@ internal sealed class SurveyFlight : RabitManager
         WakeUpDelay = TimeSpan.FromMilliseconds(10);
     }
 
+    /// <summary>Where it is at a time.</summary>
+    public TruePose PoseAt(TimeSpan time) => PoseAt((long)(time.TotalMilliseconds / 10));
+
     protected override void ExecuteUnitOfWork()
     {
         if (_step == 0)
@@ -94,7 +97,7 @@ internal sealed class SurveyFlight : RabitManager
                 0.12 * Math.Sin(0.9 * t),
                 -0.08 + (0.06 * Math.Sin(0.7 * t)),
                 (isNorthward ? 0 : Math.PI) + (0.2 * Math.Sin(0.3 * t))),
-            CameraPitch = Angle.FromDegrees(-90),
+            CameraPitch = _wanted.CameraPitch,
         };
     }
 }
