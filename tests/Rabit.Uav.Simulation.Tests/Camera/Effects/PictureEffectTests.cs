@@ -172,7 +172,12 @@ public sealed class PictureEffectTests
         {
             Effects = new SimulatedPictureEffects
             {
-                Vignetting = -1, Shade = double.NaN, RedGain = 9, BlueGain = 0, ExposureGain = 5, JpegQuality = 0,
+                Vignetting = -1,
+                Shade = double.NaN,
+                RedGain = 9,
+                BlueGain = 0,
+                ExposureGain = 5,
+                JpegQuality = 0,
             },
         };
 
