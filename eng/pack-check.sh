@@ -66,7 +66,7 @@ dotnet tool install Rabit.Tool --tool-path "$work/tool" --version "$version" --c
 rabit=$work/tool/rabit
 [ "$("$rabit" --version)" = "$version" ]
 "$rabit" --help | tee "$work/tool-help.txt"
-for command in mavlink geolocate simulate completion; do
+for command in mavlink geolocate simulate train completion; do
     grep -q "^  $command " "$work/tool-help.txt"
     "$rabit" "$command" --help > /dev/null
 done

@@ -248,7 +248,9 @@ internal sealed class Flight : IDisposable
         try
         {
             string text = TextFile.Read(path);
-            return new MissionFile(Path.GetFileName(path), text, MissionPlan.Parse(text, Path.GetFileName(path)));
+            return new MissionFile(
+                Path.GetFileName(path), text,
+                MissionPlan.Parse(text, Path.GetFileName(path), Path.GetDirectoryName(Path.GetFullPath(path))));
         }
         catch (Exception e)
             when (e is IOException or UnauthorizedAccessException or NotSupportedException or ArgumentException)

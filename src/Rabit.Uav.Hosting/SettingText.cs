@@ -41,7 +41,8 @@ internal static class SettingText
                 ? url!
                 : throw new FormatException(error);
         if (type == typeof(MissionPlan))
-            return MissionPlan.Parse(ReadFile(text), Path.GetFileName(text));
+            return MissionPlan.Parse(
+                ReadFile(text), Path.GetFileName(text), Path.GetDirectoryName(Path.GetFullPath(text)));
         if (type == typeof(MissionProgress))
             return MissionProgress.ReadFile(text);
         if (type == typeof(TerrainGrid))

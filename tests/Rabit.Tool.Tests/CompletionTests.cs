@@ -9,7 +9,7 @@ namespace Rabit.Tool.Tests;
 public sealed class CompletionTests
 {
     [Theory]
-    [InlineData("rabit ", "completion,geolocate,mavlink,simulate")]
+    [InlineData("rabit ", "completion,geolocate,mavlink,simulate,train")]
     [InlineData("rabit mav", "mavlink")]
     [InlineData("rabit mavlink --c", "--component,--csv")]
     [InlineData("rabit mavlink x.tlog --message GPS_R", "GPS_RAW_INT,GPS_RTCM_DATA,GPS_RTK")]

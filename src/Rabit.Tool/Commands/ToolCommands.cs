@@ -12,6 +12,7 @@ internal static partial class ToolCommands
         MavlinkLogCommand.Create(),
         GeolocateCommand.Create(),
         SimulateCommand.Create(),
+        TrainCommand.Create(),
         CompletionCommand.Create(),
     ];
 

@@ -16,7 +16,8 @@ internal static class MissionWorld
     {
         try
         {
-            world.TakePlacesFrom(MissionPlan.Parse(File.ReadAllText(path), path));
+            world.TakePlacesFrom(MissionPlan.Parse(
+                File.ReadAllText(path), path, Path.GetDirectoryName(Path.GetFullPath(path))));
         }
         catch (MissionPlanException e)
         {

@@ -45,8 +45,11 @@ public sealed class ImageProcessingOptions
     public LandingMarkerOptions? LandingMarker { get; set; }
 
     /// <summary>What finds targets in pictures. It belongs to one manager; its thread is that of the manager.</summary>
-    /// <value>The default, null, is a <see cref="ColourTargetDetector"/> of <see cref="TargetClasses"/>, and a
-    /// <see cref="MarkerTargetDetector"/> of those that are markers.</value>
+    /// <value>
+    /// The default, null, is a <see cref="ColourTargetDetector"/> of <see cref="TargetClasses"/>, a
+    /// <see cref="MarkerTargetDetector"/> of those that are markers, and a <see cref="TemplateTargetDetector"/> of
+    /// those that have a template.
+    /// </value>
     public ITargetDetector? Detector { get; set; }
 
     /// <summary>
@@ -137,17 +140,24 @@ public sealed class ImageProcessingOptions
     internal double EffectiveMinTargetPixels
         => MinTargetPixels ?? (Detector is null ? ColourDetector.MinSidePixels : 0);
 
+    // One for each kind of class that there is.
     internal ITargetDetector CreateDetector()
     {
+        ImmutableArray<TargetClass> coloured = [.. TargetClasses.Where(c => c.IsColoured)];
         ImmutableArray<TargetClass> markers = [.. TargetClasses.Where(c => c.Marker is not null)];
-        ImmutableArray<TargetClass> coloured = [.. TargetClasses.Where(c => c.Marker is null)];
-        if (markers.IsEmpty)
-            return new ColourTargetDetector(coloured, ColourDetector, Errors.PixelNoise);
-        var markerDetector = new MarkerTargetDetector(markers);
-        return coloured.IsEmpty
-            ? markerDetector
-            : new CombinedTargetDetector(
-                new ColourTargetDetector(coloured, ColourDetector, Errors.PixelNoise), markerDetector);
+        ImmutableArray<TargetClass> templates = [.. TargetClasses.Where(c => c.Template is not null)];
+        var parts = ImmutableArray.CreateBuilder<PartDetector>();
+        if (!coloured.IsEmpty)
+        {
+            parts.Add(new PartDetector(
+                new ColourTargetDetector(coloured, ColourDetector, Errors.PixelNoise), coloured));
+        }
+
+        if (!markers.IsEmpty)
+            parts.Add(new PartDetector(new MarkerTargetDetector(markers), markers));
+        if (!templates.IsEmpty)
+            parts.Add(new PartDetector(new TemplateTargetDetector(templates), templates));
+        return parts.Count == 1 ? parts[0].Detector : new CombinedTargetDetector(parts.ToImmutable());
     }
 
     internal IEnumerable<string> FindFaults(bool hasCamera)
@@ -193,6 +203,6 @@ public sealed class ImageProcessingOptions
             .Concat(TargetClass.FindFaults(TargetClasses))
             .Concat(ColourDetector?.FindFaults() ?? [])
             .Concat(Detector is null && !TargetClasses.IsDefault
-                ? ColourTargetDetector.FindColourFaults([.. TargetClasses.Where(c => c?.Marker is null)])
+                ? ColourTargetDetector.FindColourFaults([.. TargetClasses.Where(c => c?.IsColoured != false)])
                 : []);
 }

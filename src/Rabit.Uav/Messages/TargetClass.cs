@@ -13,6 +13,9 @@ public sealed class TargetClass
     // A marker is read from about 14 pixels on, and a panel found from 4.
     private const double PanelsPerMarker = 3.5;
 
+    // A template is found in pixels half as fine again, which must be finer than a quarter of this.
+    private const double PixelsPerTemplatePixel = 6;
+
     /// <summary>Declares a class.</summary>
     /// <param name="name">
     /// 1 to 16 printable ASCII characters: in reports, tracks, the mission file, and between vehicles.
@@ -69,8 +72,22 @@ public sealed class TargetClass
     /// </summary>
     public TargetMarker? Marker { get; init; }
 
-    // What must be resolved of it as four pixels are of a panel: of a marker, that its cells can be read.
-    internal double ResolvedSideMetres => Marker is null ? MinSideMetres : MinSideMetres / PanelsPerMarker;
+    /// <summary>
+    /// What it looks like from above, trained from labelled pictures: for
+    /// <see cref="ImageProcessing.TemplateTargetDetector"/>. The side of its object must be one of those that the class
+    /// may have. Null, the default, for what has none.
+    /// </summary>
+    public ObjectTemplate? Template { get; init; }
+
+    /// <summary>Whether it is found by its colour: what has neither a marker nor a template.</summary>
+    internal bool IsColoured => Marker is null && Template is null;
+
+    // What must be resolved of it as four pixels are of a panel: of a marker, that its cells can be read, and of a
+    // template, its edges.
+    internal double ResolvedSideMetres
+        => Marker is not null ? MinSideMetres / PanelsPerMarker
+            : Template is not null ? Template.MetresPerPixel * PixelsPerTemplatePixel
+            : MinSideMetres;
 
     internal static IEnumerable<string> FindFaults(ImmutableArray<TargetClass> classes)
     {
@@ -109,6 +126,22 @@ public sealed class TargetClass
 
             foreach (string fault in targetClass.Marker?.FindFaults(targetClass) ?? [])
                 yield return fault;
+            foreach (string fault in targetClass.FindTemplateFaults())
+                yield return fault;
+        }
+    }
+
+    private IEnumerable<string> FindTemplateFaults()
+    {
+        if (Template is null)
+            yield break;
+        if (Colour is not null || Marker is not null)
+            yield return $"target class {Name} has a template and a colour or a marker; it can only have one of them";
+        double side = Math.Sqrt(Template.LengthMetres * Template.WidthMetres);
+        if (!(side >= MinSideMetres && side <= MaxSideMetres))
+        {
+            yield return FormattableString.Invariant(
+                $"the template of target class {Name} is for objects with a side of {side:0.00} m (a square of their area), which is not within its {nameof(MinSideMetres)} of {MinSideMetres} and {nameof(MaxSideMetres)} of {MaxSideMetres}");
         }
     }
 }

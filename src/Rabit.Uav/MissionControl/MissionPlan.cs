@@ -164,15 +164,18 @@ public sealed partial class MissionPlan
     /// <summary>Reads a mission file and checks it.</summary>
     /// <param name="json">The text of the file.</param>
     /// <param name="name">Name of the mission in errors, and where the file gives none: the name of the file.</param>
+    /// <param name="folder">
+    /// Where files are that it names, as templates of target classes; null for the current folder.
+    /// </param>
     /// <exception cref="MissionPlanException">
     /// The text is not a mission, or not one that can be flown; the message names all faults.
     /// </exception>
-    public static MissionPlan Parse(string json, string name)
+    public static MissionPlan Parse(string json, string name, string? folder = null)
     {
         if (json is null)
             throw new ArgumentNullException(nameof(json));
         if (string.IsNullOrWhiteSpace(name))
             throw new ArgumentException("A mission needs a name for its error messages.", nameof(name));
-        return MissionPlanReader.Read(json, name);
+        return MissionPlanReader.Read(json, name, folder ?? string.Empty);
     }
 }

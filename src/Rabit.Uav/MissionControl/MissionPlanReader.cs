@@ -24,7 +24,7 @@ internal static class MissionPlanReader
     };
 
     /// <exception cref="MissionPlanException">The text is not a mission, or not one that can be flown.</exception>
-    public static MissionPlan Read(string json, string name)
+    public static MissionPlan Read(string json, string name, string folder)
     {
         if (json.Length > MaxTextLength)
         {
@@ -35,7 +35,7 @@ internal static class MissionPlanReader
         try
         {
             using JsonDocument document = JsonDocument.Parse(json, Form);
-            return Read(document.RootElement, name);
+            return Read(document.RootElement, name, folder);
         }
         catch (JsonException e)
         {
@@ -45,13 +45,13 @@ internal static class MissionPlanReader
         }
     }
 
-    private static MissionPlan Read(JsonElement root, string name)
+    private static MissionPlan Read(JsonElement root, string name, string folder)
     {
         var faults = new List<string>();
         if (root.ValueKind != JsonValueKind.Object)
             throw new MissionPlanException(name, ["it must be an object, { ... }"]);
         var fields = new JsonFields(root, string.Empty, faults);
-        MissionPlan plan = ReadPlan(fields, name);
+        MissionPlan plan = ReadPlan(fields, name, folder);
         fields.RefuseOthers();
 
         // A value that could not be read would be reported twice.
@@ -60,7 +60,7 @@ internal static class MissionPlanReader
         return faults.Count > 0 ? throw new MissionPlanException(name, faults) : plan;
     }
 
-    private static MissionPlan ReadPlan(JsonFields fields, string name)
+    private static MissionPlan ReadPlan(JsonFields fields, string name, string folder)
     {
         JsonFields camera = fields.Object("camera");
         JsonFields limits = fields.Object("limits");
@@ -79,7 +79,7 @@ internal static class MissionPlanReader
             LaneHeading = ToAngle(fields.Number("laneHeadingDegrees")),
             Targets = ReadTargets(fields),
             TargetMotions = ReadTargetMotions(fields),
-            TargetClasses = MissionTargetClassReader.Read(fields),
+            TargetClasses = MissionTargetClassReader.Read(fields, folder),
             Home = ReadHome(fields),
             FenceMarginMetres = fields.Number("fenceMarginMetres") ?? 40,
             Revisit = new RevisitPlan

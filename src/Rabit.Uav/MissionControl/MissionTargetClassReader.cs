@@ -1,5 +1,7 @@
+using System;
 using System.Collections.Immutable;
 using System.Globalization;
+using System.IO;
 using System.Text.Json;
 using Rabit.Uav.Json;
 using Rabit.Uav.Messages;
@@ -13,14 +15,16 @@ internal static class MissionTargetClassReader
     // Also the sizes that a class has if the file says none.
     private static readonly TargetClass Default = new("default");
 
-    public static ImmutableArray<TargetClass> Read(JsonFields fields)
+    /// <param name="fields">Of the mission.</param>
+    /// <param name="folder">Where files are that it names without a folder.</param>
+    public static ImmutableArray<TargetClass> Read(JsonFields fields, string folder)
     {
         var classes = ImmutableArray.CreateBuilder<TargetClass>();
         JsonFields given = fields.Object("targetClasses");
         foreach (string name in given.Names)
         {
             if (TargetClassName.TryParse(name, out _))
-                classes.Add(Read(given.Object(name), name));
+                classes.Add(Read(given.Object(name), name, folder));
             else
                 given.Blame(
                     name, given.Any(name)!.Value, "must be by the name of a target class: " + TargetClassName.Rule);
@@ -29,12 +33,13 @@ internal static class MissionTargetClassReader
         return classes.ToImmutable();
     }
 
-    private static TargetClass Read(JsonFields one, string name)
+    private static TargetClass Read(JsonFields one, string name, string folder)
     {
         var read = new TargetClass(name)
         {
             Colour = ReadColour(one),
             Marker = ReadMarker(one),
+            Template = ReadTemplate(one, folder),
             MinSideMetres = one.Number("minSideMetres") ?? Default.MinSideMetres,
             MaxSideMetres = one.Number("maxSideMetres") ?? Default.MaxSideMetres,
             MinAspect = one.Number("minAspect") ?? Default.MinAspect,
@@ -69,5 +74,21 @@ internal static class MissionTargetClassReader
         marker.RefuseOthers();
         return new TargetMarker(
             family == nameof(MarkerFamily.ArUco4x4) ? MarkerFamily.ArUco4x4 : MarkerFamily.AprilTag36h11, id);
+    }
+
+    private static ObjectTemplate? ReadTemplate(JsonFields one, string folder)
+    {
+        if (one.Text("template") is not { } file)
+            return null;
+        try
+        {
+            return ObjectTemplate.Load(Path.Combine(folder, file));
+        }
+        catch (Exception e) when (e is PictureException or ArgumentException)
+        {
+            one.Blame(
+                "template", one.Any("template")!.Value, "must be a template that rabit train wrote; " + e.Message);
+            return null;
+        }
     }
 }

@@ -14,7 +14,8 @@ namespace Rabit.Uav.Tests.ImageProcessing;
 /// </summary>
 public abstract class TargetDetectorContract
 {
-    private const double PixelsPerMetre = 13;
+    /// <summary>Of the pictures.</summary>
+    protected const double PixelsPerMetre = 13;
 
     private static readonly ImmutableArray<TargetClass> All = TargetClass.Defaults;
 
@@ -25,7 +26,8 @@ public abstract class TargetDetectorContract
     [Fact]
     public void Detect_NoTarget_FindsNone()
         => Assert.Equal(
-            DetectorResult.Found(0), _detector.Detect(Input(new Painting(1).Finish()), new TargetDetection[16]));
+            DetectorResult.Found(0),
+            _detector.Detect(Input(Finish(new Painting(1).Finish())), new TargetDetection[16]));
 
     [Fact]
     public void Detect_OneTarget_IsValidAndWhereItIs()
@@ -80,16 +82,22 @@ public abstract class TargetDetectorContract
         Assert.Equal(before, picture);
     }
 
-    private static byte[] Painted(int panels)
+    /// <summary>Makes a painted picture one that the detector is for.</summary>
+    protected virtual byte[] Finish(byte[] painted) => painted;
+
+    /// <summary>Such a picture as input.</summary>
+    protected virtual DetectorInput Input(byte[] picture, ImmutableArray<TargetClass> classes)
+        => new(
+            picture, Painting.Width, Painting.Height, classes, PictureGroundScale.Uniform(1 / PixelsPerMetre));
+
+    private byte[] Painted(int panels)
     {
         var painting = new Painting(3);
         for (int i = 0; i < panels; i++)
             painting.Panel(DefaultTargetClasses.Red, 80 + (100 * i), 100, PixelsPerMetre, 0.3 * i);
-        return painting.Finish();
+        return Finish(painting.Finish());
     }
 
-    private static DetectorInput Input(byte[] picture, IEnumerable<TargetClass>? classes = null)
-        => new(
-            picture, Painting.Width, Painting.Height, classes?.ToImmutableArray() ?? All,
-            PictureGroundScale.Uniform(1 / PixelsPerMetre));
+    private DetectorInput Input(byte[] picture, IEnumerable<TargetClass>? classes = null)
+        => Input(picture, classes?.ToImmutableArray() ?? All);
 }

@@ -1,46 +1,43 @@
 using System;
 using System.Collections.Immutable;
-using System.Linq;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing;
 
-/// <summary>The default detector where there are markers among the classes: they, and what has a colour.</summary>
-internal sealed class CombinedTargetDetector(ITargetDetector colours, ITargetDetector markers) : ITargetDetector
+/// <summary>
+/// The default detector where classes are of more than one kind: coloured, markers, templates. Each kind has a detector
+/// of its own, which runs where one of its classes is wanted; a picture that one of them cannot search is not searched.
+/// </summary>
+internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts) : ITargetDetector
 {
-    private TargetDetection[] _second = [];
+    private TargetDetection[] _found = [];
     private ImmutableArray<TargetClass> _classes;
-    private bool _hasColours;
-    private bool _hasMarkers;
 
     /// <inheritdoc/>
     public DetectorResult Detect(in DetectorInput input, Span<TargetDetection> detections)
     {
         if (_classes != input.Classes)
-            Change(input.Classes);
-        if (!_hasMarkers)
-            return colours.Detect(input, detections);
-        if (!_hasColours)
-            return markers.Detect(input, detections);
-        DetectorResult first = colours.Detect(input, detections);
-        if (first.Refusal is not null)
-            return first;
-        if (_second.Length != detections.Length)
-            _second = new TargetDetection[detections.Length];
-        DetectorResult second = markers.Detect(input, _second);
-        if (second.Refusal is not null)
-            return second;
-        (int count, int dropped) = (first.Count, first.Dropped + second.Dropped);
-        for (int i = 0; i < second.Count; i++)
-            DetectionOrder.Insert(_second[i], detections, ref count, ref dropped);
-        return DetectorResult.Found(count, dropped);
-    }
+        {
+            _classes = input.Classes;
+            foreach (PartDetector part in parts)
+                part.Select(_classes);
+        }
 
-    // A method of its own, so that only a change allocates for the lambdas.
-    private void Change(ImmutableArray<TargetClass> classes)
-    {
-        _classes = classes;
-        _hasMarkers = classes.Any(c => c.Marker is not null);
-        _hasColours = classes.Any(c => c.Marker is null);
+        if (_found.Length != detections.Length)
+            _found = new TargetDetection[detections.Length];
+        (int count, int dropped) = (0, 0);
+        foreach (PartDetector part in parts)
+        {
+            if (!part.IsWanted)
+                continue;
+            DetectorResult result = part.Detector.Detect(input, _found);
+            if (result.Refusal is not null)
+                return result;
+            dropped += result.Dropped;
+            for (int i = 0; i < result.Count; i++)
+                DetectionOrder.Insert(_found[i], detections, ref count, ref dropped);
+        }
+
+        return DetectorResult.Found(count, dropped);
     }
 }

@@ -1,0 +1,110 @@
+using System;
+using System.Globalization;
+using System.IO;
+using System.Threading;
+using Rabit.Vision;
+
+namespace Rabit.Tool.Training;
+
+/// <summary>Reads labels and pictures, trains, and writes the template.</summary>
+internal static class TrainRun
+{
+    // Larger than any part of it, so that the bar of the tool is shown.
+    private const long Whole = 1L << 40;
+
+    /// <returns>The exit code.</returns>
+    /// <exception cref="ToolException">Something cannot be read or used.</exception>
+    public static int Run(string labels, string output, TemplateTrainingOptions options, ToolConsole console)
+    {
+        try
+        {
+            // Before minutes of training: whether it could be written.
+            CheckFolder(output);
+            var trainer = new TemplateTrainer(options);
+            LabelFile file = LabelFile.Load(labels);
+            TemplateTrainingResult result = Train(trainer, file);
+            result.Template.Save(output);
+            Report(result, output, console.Output);
+            return ToolExitCode.Done;
+        }
+        catch (Exception e) when (e is PictureException or FormatException or ArgumentException
+            or InvalidOperationException)
+        {
+            throw new ToolException(FirstLine(e.Message), e);
+        }
+        catch (OperationCanceledException)
+        {
+            return ToolExitCode.Interrupted;
+        }
+    }
+
+    private static TemplateTrainingResult Train(TemplateTrainer trainer, LabelFile file)
+    {
+        using var cancellation = new CancellationTokenSource();
+        void Cancel(object? sender, ConsoleCancelEventArgs e)
+        {
+            e.Cancel = true;
+            cancellation.Cancel();
+        }
+
+        Console.CancelKeyPress += Cancel;
+        try
+        {
+            using ProgressBar bar = ProgressBar.Start(Whole);
+            var reader = new PictureReader();
+            foreach (LabelledPicture picture in file.Pictures)
+            {
+                cancellation.Token.ThrowIfCancellationRequested();
+                Add(trainer, reader, picture);
+            }
+
+            return trainer.Train(part => bar.Show((long)(part * Whole)), cancellation.Token);
+        }
+        finally
+        {
+            Console.CancelKeyPress -= Cancel;
+        }
+    }
+
+    private static void Add(TemplateTrainer trainer, PictureReader reader, LabelledPicture picture)
+    {
+        try
+        {
+            trainer.Add(reader.Load(picture.Path), picture.MetresPerPixel, picture.Boxes, picture.Group);
+        }
+        catch (ArgumentException e)
+        {
+            throw new FormatException($"{picture.Path}: {FirstLine(e.Message)}", e);
+        }
+    }
+
+    private static void Report(TemplateTrainingResult result, string output, TextWriter to)
+    {
+        to.WriteLine(string.Format(
+            CultureInfo.InvariantCulture,
+            "{0}: trained with {1} objects of {2} pictures{3}",
+            output, result.Objects, result.Pictures,
+            result.Ignored == 0 ? "" : $", {result.Ignored} boxes ignored"));
+        to.WriteLine(result.Folds == 0
+            ? "how well it does is not known: too few objects, or all pictures are of one group"
+            : string.Format(
+                CultureInfo.InvariantCulture,
+                "on pictures left out: {0:0.00} of the objects found, {1:0.00} false alarms a picture, "
+                    + "centres {2:0.00} m off",
+                result.Recall, result.FalseAlarmsPerPicture, result.Template.SigmaMetres));
+    }
+
+    private static void CheckFolder(string output)
+    {
+        string? folder = Path.GetDirectoryName(Path.GetFullPath(output));
+        if (folder is not null && !Directory.Exists(folder))
+            throw new FormatException($"{output}: there is no folder {folder}");
+    }
+
+    // .NET appends the name of a parameter, which is none of the user's.
+    private static string FirstLine(string message)
+    {
+        int end = message.IndexOf(" (Parameter", StringComparison.Ordinal);
+        return (end < 0 ? message : message.Substring(0, end)).Split('\n')[0].TrimEnd('\r');
+    }
+}

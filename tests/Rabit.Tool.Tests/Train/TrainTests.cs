@@ -1,0 +1,109 @@
+using System;
+using System.IO;
+using Rabit.Vision;
+using Xunit;
+
+namespace Rabit.Tool.Tests.Train;
+
+/// <summary><c>rabit train</c> as a user starts it.</summary>
+public sealed class TrainTests : IDisposable
+{
+    private readonly string _folder =
+        Directory.CreateDirectory(Path.Combine(Path.GetTempPath(), Guid.NewGuid().ToString("N"))).FullName;
+
+    private string Labels => Path.Combine(_folder, "labels.json");
+
+    private string Output => Path.Combine(_folder, "square.template");
+
+    public void Dispose() => Directory.Delete(_folder, recursive: true);
+
+    [Fact]
+    public void Train_LabelledPictures_WritesATemplateAndSaysHowWellItDoes()
+    {
+        WritePictures();
+        File.WriteAllText(Labels, $$"""
+            { "pictures": [
+              { "file": "a.png", "metresPerPixel": 0.1, "boxes": [{{Boxes}}] },
+              { "file": "b.png", "metresPerPixel": 0.1, "group": "b", "boxes": [{{Boxes}}] } ] }
+            """);
+        ToolProcess done = Run("--name", "square", "--length", "1", "--width", "1", "--metres-per-pixel", "0.1");
+        Assert.Equal((0, 0), (done.ExitCode, done.Errors.Count));
+        Assert.Contains("trained with 10 objects of 2 pictures, 2 boxes ignored", done.Text, StringComparison.Ordinal);
+        ObjectTemplate template = ObjectTemplate.Load(Output);
+        Assert.Equal(("square", 1.0, 0.1), (template.Name, template.LengthMetres, template.MetresPerPixel));
+    }
+
+    [Theory]
+    [InlineData("{ \"pictures\": [] }", "pictures is empty")]
+    [InlineData("{ \"pictures\": [{ \"file\": \"a.png\", \"boxes\": [] }] }", "pictures[0].metresPerPixel is missing")]
+    [InlineData("{ \"pictures\": [{ \"file\": \"a.png\", \"metresPerPixel\": 0.1, \"boxes\": [{ \"x\": 1 }] }] }",
+        "pictures[0].boxes[0].x is unknown; there are left, top, width, height, headingDegrees, ignored")]
+    [InlineData("{ \"pictures\": [{ \"file\": \"none.png\", \"metresPerPixel\": 0.1, \"boxes\": [] }] }", "none.png")]
+    [InlineData("{ \"pictures\": [{ \"file\": \"a.png\", \"metresPerPixel\": 3, \"boxes\": [] }] }", "too coarse")]
+    [InlineData("{ \"pictures\": [{ \"file\": \"a.png\", \"metresPerPixel\": 0.1, \"boxes\": [] }] }",
+        "There are 0 objects to train with; at least 4 are needed.")]
+    [InlineData("[1]", "the whole must be an object")]
+    [InlineData("{", "it is not JSON")]
+    public void Train_WrongLabels_NamesThem(string labels, string fault)
+    {
+        WritePictures();
+        File.WriteAllText(Labels, labels);
+        ToolProcess refused = Run();
+        Assert.Equal(2, refused.ExitCode);
+        Assert.StartsWith("rabit train: ", Assert.Single(refused.Errors), StringComparison.Ordinal);
+        Assert.Contains(fault, refused.Errors[0], StringComparison.Ordinal);
+        Assert.False(File.Exists(Output));
+    }
+
+    [Fact]
+    public void Train_WrongOptions_NamesThem()
+    {
+        File.WriteAllText(Labels, "{ \"pictures\": [] }");
+        Assert.Contains("the length first", Run("--length", "1").Errors[0], StringComparison.Ordinal);
+        Assert.Contains(
+            "there is no folder",
+            ToolProcess.Run("train", Labels, "-o", Path.Combine(_folder, "none", "a")).Errors[0],
+            StringComparison.Ordinal);
+        Assert.Contains("--output", ToolProcess.Run("train", Labels).Errors[0], StringComparison.Ordinal);
+    }
+
+    // Five squares and one that is cut.
+    private static string Boxes
+    {
+        get
+        {
+            string boxes = "{ \"left\": 0, \"top\": 0, \"width\": 9, \"height\": 9, \"ignored\": true }";
+            for (int i = 0; i < 5; i++)
+            {
+                boxes += FormattableString.Invariant(
+                    $", {{ \"left\": {20 + (25 * i)}, \"top\": {30 + (7 * i)}, \"width\": 10, \"height\": 10 }}");
+            }
+
+            return boxes;
+        }
+    }
+
+    private ToolProcess Run(params string[] more) => ToolProcess.Run(["train", Labels, "--output", Output, .. more]);
+
+    private void WritePictures()
+    {
+        for (int picture = 0; picture < 2; picture++)
+        {
+            var random = new Random(picture);
+            byte[] pixels = new byte[160 * 100 * 3];
+            for (int i = 0; i < 160 * 100; i++)
+            {
+                (int x, int y) = (i % 160, i / 160);
+                bool isSquare = false;
+                for (int s = 0; s < 5; s++)
+                    isSquare |= x >= 20 + (25 * s) && x < 30 + (25 * s) && y >= 30 + (7 * s) && y < 40 + (7 * s);
+                byte level = (byte)((isSquare ? 200 : 90) + random.Next(20));
+                (pixels[3 * i], pixels[(3 * i) + 1], pixels[(3 * i) + 2]) = (level, level, level);
+            }
+
+            File.WriteAllBytes(
+                Path.Combine(_folder, picture == 0 ? "a.png" : "b.png"),
+                PngPicture.Encode(new RgbPicture(160, 100, pixels)));
+        }
+    }
+}
