@@ -56,6 +56,31 @@ public sealed class PictureReader
         Decode(pixels);
     }
 
+    /// <summary>
+    /// Reads the counts of a thermal camera: a binary PGM or grey PNG of 16 bits. Others are refused, since what a
+    /// camera program made 8 bits is stretched otherwise in each picture.
+    /// </summary>
+    /// <param name="path">The file.</param>
+    /// <param name="width">Columns it must have.</param>
+    /// <param name="height">Rows it must have.</param>
+    /// <param name="counts">Takes width x height values.</param>
+    /// <exception cref="PictureException">As for <see cref="Load"/>, another size, or not of 16 bits.</exception>
+    /// <exception cref="ArgumentException">There is no room for so many values.</exception>
+    public void LoadCountsInto(string path, int width, int height, Span<ushort> counts)
+    {
+        if (width < 1 || height < 1 || counts.Length / width < height)
+            throw new ArgumentException(
+                $"A span of {counts.Length} values does not hold a picture of {width} x {height} pixels.",
+                nameof(counts));
+        (int itsWidth, int itsHeight) = Open(path);
+        if (itsWidth != width || itsHeight != height)
+            throw new PictureException(
+                path, $"it is {itsWidth} x {itsHeight} pixels; those of its camera are {width} x {height}");
+        counts = counts.Slice(0, width * height);
+        if (_png?.TryDecodeCounts(counts) != true && _pnm?.TryDecodeCounts(counts) != true)
+            throw new PictureException(path, "it has no 16 bits of grey, as the pictures of a thermal camera have");
+    }
+
     private void Decode(byte[] pixels)
     {
         if (_png is not null)

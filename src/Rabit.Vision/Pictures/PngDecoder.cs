@@ -19,6 +19,7 @@ internal sealed class PngDecoder
     private int _dataLength;
     private byte[]? _palette;
     private PngColour _colour;
+    private bool _isWide;   // 16 bits, of grey alone
     private bool _hasHeader;
 
     /// <exception cref="PictureException">The bytes are no PNG, one of a kind that is not read, or damaged.</exception>
@@ -49,14 +50,25 @@ internal sealed class PngDecoder
 
     /// <summary>Writes red, green and blue of all pixels.</summary>
     /// <exception cref="PictureException">The pixels are damaged.</exception>
-    public void Decode(byte[] pixels)
+    public void Decode(byte[] pixels) => Decode(pixels, default);
+
+    /// <summary>Writes the values of all pixels; false where they are not of 16 bits.</summary>
+    /// <exception cref="PictureException">The pixels are damaged.</exception>
+    public bool TryDecodeCounts(Span<ushort> counts)
+    {
+        if (_isWide)
+            Decode([], counts);
+        return _isWide;
+    }
+
+    private void Decode(byte[] pixels, Span<ushort> counts)
     {
         if ((_data[0] & 0x0F) != 8 || ((_data[0] << 8) | _data[1]) % 31 != 0 || (_data[1] & 0x20) != 0)
             throw Fault("its pixels are not packed as PNG requires");
 
         using var packed = new MemoryStream(_data, 2, _dataLength - 6);
         using var deflate = new DeflateStream(packed, CompressionMode.Decompress);
-        int bytesPerPixel = BytesPerPixel(_colour);
+        int bytesPerPixel = _isWide ? 2 : BytesPerPixel(_colour);
         byte[] line = new byte[(Width * bytesPerPixel) + 1];
         byte[] above = new byte[line.Length];
         uint adler = 1;
@@ -65,7 +77,10 @@ internal sealed class PngDecoder
             Fill(deflate, line, row);
             adler = Checksums.Adler32(adler, line, 0, line.Length);
             Unfilter(line, above, bytesPerPixel, row);
-            Spread(line, pixels, row * Width * 3);
+            if (!counts.IsEmpty)
+                CopyCounts(line, counts.Slice(row * Width, Width));
+            else
+                Spread(line, pixels, row * Width * 3);
             (line, above) = (above, line);
         }
 
@@ -124,8 +139,9 @@ internal sealed class PngDecoder
         if (_colour is not (PngColour.Grey or PngColour.Rgb or PngColour.Palette or PngColour.GreyAlpha
             or PngColour.Rgba))
             throw Fault($"its colour type {_file[at + 9]} does not exist");
-        if (_file[at + 8] != 8)
-            throw Fault($"it has {_file[at + 8]} bits per channel; only 8 are read");
+        _isWide = _file[at + 8] == 16 && _colour == PngColour.Grey;
+        if (_file[at + 8] != 8 && !_isWide)
+            throw Fault($"it has {_file[at + 8]} bits per channel; only 8 are read, and 16 of grey");
         if (_file[at + 10] != 0 || _file[at + 11] != 0)
             throw Fault("its packing or its filters are not known");
         if (_file[at + 12] != 0)
@@ -193,9 +209,16 @@ internal sealed class PngDecoder
         return byUp <= byUpLeft ? up : upLeft;
     }
 
+    private static void CopyCounts(byte[] line, Span<ushort> counts)
+    {
+        for (int i = 0; i < counts.Length; i++)
+            counts[i] = (ushort)((line[(2 * i) + 1] << 8) | line[(2 * i) + 2]);
+    }
+
+    // Of 16 bits the upper ones.
     private void Spread(byte[] line, byte[] pixels, int to)
     {
-        int step = BytesPerPixel(_colour);
+        int step = _isWide ? 2 : BytesPerPixel(_colour);
         for (int at = 1; at < line.Length; at += step, to += 3)
         {
             if (_colour is PngColour.Rgb or PngColour.Rgba)

@@ -67,6 +67,17 @@ internal sealed class PnmDecoder
         }
     }
 
+    /// <summary>Writes the values of all pixels; false where they have 8 bits.</summary>
+    public bool TryDecodeCounts(Span<ushort> counts)
+    {
+        if (!_isGrey || _max <= MaxByte)
+            return false;
+        int from = _pixelsAt;
+        for (int i = 0; i < counts.Length; i++, from += 2)
+            counts[i] = (ushort)((_file[from] << 8) | _file[from + 1]);
+        return true;
+    }
+
     private int ReadNumber(ref int at)
     {
         int before = at;

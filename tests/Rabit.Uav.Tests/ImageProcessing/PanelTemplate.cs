@@ -37,7 +37,10 @@ internal static class PanelTemplate
     {
         var trainer = new TemplateTrainer(new TemplateTrainingOptions
         {
-            Name = "red panel", LengthMetres = 1, WidthMetres = 1, MetresPerPixel = 0.055,
+            Name = "red panel",
+            LengthMetres = 1,
+            WidthMetres = 1,
+            MetresPerPixel = 0.055,
             FalseAlarmsPerPicture = 0.1,
         });
         for (int seed = 20; seed < 22; seed++)

@@ -23,8 +23,12 @@ public sealed class TemplateTargetDetectorTests
     {
         var camera = new CameraModel
         {
-            Width = Painting.Width, Height = Painting.Height, FocalX = 640, FocalY = 640,
-            CentreX = (Painting.Width - 1) / 2.0, CentreY = (Painting.Height - 1) / 2.0,
+            Width = Painting.Width,
+            Height = Painting.Height,
+            FocalX = 640,
+            FocalY = 640,
+            CentreX = (Painting.Width - 1) / 2.0,
+            CentreY = (Painting.Height - 1) / 2.0,
         };
         const double tilt = 0.35;
         var nedFromCamera = Rotation.FromMatrix(

@@ -161,7 +161,10 @@ public sealed class TemplateTrainerTests(TrainedCar trained, ITestOutputHelper o
     {
         var error = Assert.Throws<ArgumentException>(() => new TemplateTrainer(new TemplateTrainingOptions
         {
-            Name = "", LengthMetres = 1, WidthMetres = 2, FalseAlarmsPerPicture = 0,
+            Name = "",
+            LengthMetres = 1,
+            WidthMetres = 2,
+            FalseAlarmsPerPicture = 0,
         }));
         Assert.All(
             ["name", "the length first", "FalseAlarmsPerPicture"],

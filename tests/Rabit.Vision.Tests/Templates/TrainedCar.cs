@@ -7,7 +7,10 @@ public sealed class TrainedCar
     {
         var trainer = new TemplateTrainer(new TemplateTrainingOptions
         {
-            Name = "car", LengthMetres = 4.6, WidthMetres = 1.9, FalseAlarmsPerPicture = 0.5,
+            Name = "car",
+            LengthMetres = 4.6,
+            WidthMetres = 1.9,
+            FalseAlarmsPerPicture = 0.5,
         });
         for (int seed = 1; seed <= 3; seed++)
         {
