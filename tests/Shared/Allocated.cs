@@ -11,6 +11,9 @@ internal static class Allocated
         .GetMethod("GetAllocatedBytesForCurrentThread", BindingFlags.Public | BindingFlags.Static)?
         .CreateDelegate(typeof(Func<long>));
 
+    /// <summary>Bytes that this thread has allocated so far; always 0 where the runtime does not count them.</summary>
+    public static long SoFar => CountBytes?.Invoke() ?? 0;
+
     /// <summary>Whether this runtime counts the bytes of a thread.</summary>
     public static bool IsSupported
     {

@@ -44,7 +44,7 @@ internal static class CameraDescription
             CameraModel model = CameraModelDescription.Read(camera, faults);
             CameraMount mount = CameraMountDescription.Read(camera.RequiredObject("mount"), faults);
             camera.RefuseOthers();
-            ProcessCameraOptions? source = root.Has("source")
+            CameraSource? source = root.Has("source")
                 ? CameraSourceDescription.Read(root.RequiredObject("source"), model, folder, faults)
                 : null;
             List<ListedPicture> listed = ReadFrames(root, faults);

@@ -40,13 +40,13 @@ public sealed class CameraFolder
     internal IReadOnlyList<ListedPicture> Listed { get; }
 
     /// <summary>Where the pictures come from; null where they lie in the folder.</summary>
-    internal ProcessCameraOptions? Source { get; init; }
+    internal CameraSource? Source { get; init; }
 
     /// <summary>
     /// Makes the camera that is described: the source, where camera.json has one, and else the pictures of the folder.
     /// Nothing is opened before the run begins.
     /// </summary>
-    public ICamera CreateCamera() => Source is { } source ? new ProcessCamera(source) : new FolderCamera(this);
+    public ICamera CreateCamera() => Source?.CreateCamera() ?? new FolderCamera(this);
 
     /// <summary>Reads the description of a folder's camera.</summary>
     /// <param name="path">The folder, or the file of the description, whatever its name is.</param>
@@ -83,7 +83,9 @@ public sealed class CameraFolder
         // A device may have no end.
         if (file.StartsWith("/dev/", StringComparison.Ordinal))
             throw new PictureException(
-                file, $"that is a device; a folder with {DescriptionFile}, or such a file, is wanted");
+                file,
+                $"that is a device; a folder with {DescriptionFile} is wanted, or such a file, with the device in its "
+                    + "source");
         return OpenFile(file, System.IO.Path.GetDirectoryName(System.IO.Path.GetFullPath(file))!);
     }
 

@@ -14,20 +14,36 @@ internal static class CameraSourceDescription
 {
     private const string Program = "program";
     private const string Arguments = "arguments";
+    private const string Device = "device";
+    private const string Focus = "focus";
     private const string Format = "format";
     private const string Rate = "framesPerSecond";
     private const string Exposure = "exposureMicroseconds";
     private const string Latency = "latencyMicroseconds";
     private const string TimeNoise = "timeNoiseMicroseconds";
     private const string Stall = "stallTimeoutSeconds";
+    private const double MinExposure = 100;
     private const double MaxMicroseconds = 10e6;
 
     /// <param name="source">The object of the source.</param>
     /// <param name="model">The camera, whose size the pictures have.</param>
     /// <param name="folder">What the path of a program is relative to.</param>
-    /// <param name="faults">Those that <paramref name="source"/> adds to; where there are any, the result is of no
-    /// use.</param>
-    public static ProcessCameraOptions Read(
+    /// <param name="faults">
+    /// Those that <paramref name="source"/> adds to; where there are any, what is returned is of no use.
+    /// </param>
+    public static CameraSource Read(JsonFields source, CameraModel model, string folder, List<string> faults)
+    {
+        bool isDevice = source.Has(Device);
+        if (isDevice && source.Has(Program))
+            faults.Add($"source has both a {Program} and a {Device}; it must have one of them");
+        CameraSource read = isDevice
+            ? new CameraSource { Device = ReadDevice(source, model, faults) }
+            : new CameraSource { Program = ReadProgram(source, model, folder, faults) };
+        source.RefuseOthers();
+        return read;
+    }
+
+    private static ProcessCameraOptions ReadProgram(
         JsonFields source, CameraModel model, string folder, List<string> faults)
     {
         string? program = source.Text(Program);
@@ -37,7 +53,7 @@ internal static class CameraSourceDescription
             faults.Add($"source.{Program} is empty");
         double? rate = ReadRate(source, faults);
         var defaults = new ProcessCameraOptions();
-        var options = new ProcessCameraOptions
+        return new ProcessCameraOptions
         {
             Program = PathOf(program ?? string.Empty, folder),
             Arguments = ReadArguments(source, model, rate, faults),
@@ -50,13 +66,37 @@ internal static class CameraSourceDescription
             Width = model.Width,
             Height = model.Height,
             MaxFramesPerSecond = rate,
-            Exposure = ReadMicroseconds(source, Exposure, defaults.Exposure, faults),
-            Latency = ReadMicroseconds(source, Latency, defaults.Latency, faults),
-            TimeNoise = ReadMicroseconds(source, TimeNoise, defaults.TimeNoise, faults),
+            Exposure = ReadMicroseconds(source, Exposure, 0, faults) ?? defaults.Exposure,
+            Latency = ReadMicroseconds(source, Latency, 0, faults) ?? defaults.Latency,
+            TimeNoise = ReadMicroseconds(source, TimeNoise, 0, faults) ?? defaults.TimeNoise,
             StallTimeout = ReadStall(source, defaults.StallTimeout, faults),
         };
-        source.RefuseOthers();
-        return options;
+    }
+
+    private static V4l2CameraOptions ReadDevice(JsonFields source, CameraModel model, List<string> faults)
+    {
+        string? device = source.Text(Device);
+        if (device is not null && string.IsNullOrWhiteSpace(device))
+            faults.Add($"source.{Device} is empty");
+        if (!OperatingSystem.IsLinux())
+            faults.Add($"source.{Device}: video devices are read on Linux only");
+        bool isRaw = source.Choice(Format, "mjpeg", "yuyv") == "yuyv";
+        if (isRaw && model.Width % 2 != 0)
+            faults.Add(FormattableString.Invariant($"camera.width is {model.Width}; it must be even for yuyv"));
+        return new V4l2CameraOptions
+        {
+            Device = device ?? string.Empty,
+            Format = isRaw ? V4l2PixelFormat.Yuyv : V4l2PixelFormat.Mjpeg,
+            Width = model.Width,
+            Height = model.Height,
+            FramesPerSecond = ReadRate(source, faults),
+            Exposure = ReadMicroseconds(source, Exposure, MinExposure, faults),
+            Focus = source.Has(Focus) ? source.RequiredWholeNumber(Focus) : null,
+            Readout = model.Readout,
+            Latency = ReadMicroseconds(source, Latency, 0, faults),
+            TimeNoise = ReadMicroseconds(source, TimeNoise, 0, faults),
+            StallTimeout = ReadStall(source, new V4l2CameraOptions().StallTimeout, faults),
+        };
     }
 
     // With a folder in it, it is a file beside camera.json, as the pictures that are listed there are; else PATH is
@@ -67,16 +107,7 @@ internal static class CameraSourceDescription
             : program;
 
     private static double? ReadRate(JsonFields source, List<string> faults)
-    {
-        if (source.Number(Rate) is not { } rate)
-            return null;
-        if (rate is >= ProcessCameraOptions.MinRate and <= ProcessCameraOptions.MaxRate)
-            return rate;
-        if (!double.IsNaN(rate))
-            faults.Add(FormattableString.Invariant(
-                $"source.{Rate} is {rate}; it must be {ProcessCameraOptions.MinRate} to {ProcessCameraOptions.MaxRate}"));
-        return null;
-    }
+        => ReadNumber(source, Rate, ProcessCameraOptions.MinRate, ProcessCameraOptions.MaxRate, faults);
 
     private static string[] ReadArguments(
         JsonFields source, CameraModel model, double? rate, List<string> faults)
@@ -90,7 +121,7 @@ internal static class CameraSourceDescription
         }
 
         string[] arguments = [.. list.EnumerateArray().Select(a => a.GetString()!)];
-        if (rate is null && Array.Exists(arguments, a => a.Contains("{" + Rate + "}")))
+        if (!source.Has(Rate) && Array.Exists(arguments, a => a.Contains("{" + Rate + "}")))
             faults.Add($"source.{Rate} is missing, and {{{Rate}}} stands in source.{Arguments}");
         return Array.ConvertAll(arguments, a => a
             .Replace("{width}", model.Width.ToString(CultureInfo.InvariantCulture))
@@ -98,27 +129,22 @@ internal static class CameraSourceDescription
             .Replace("{" + Rate + "}", (rate ?? 0).ToString(CultureInfo.InvariantCulture)));
     }
 
-    private static TimeSpan ReadMicroseconds(
-        JsonFields source, string name, TimeSpan otherwise, List<string> faults)
-    {
-        if (source.Number(name) is not { } microseconds)
-            return otherwise;
-        if (microseconds is >= 0 and <= MaxMicroseconds)
-            return TimeSpan.FromTicks((long)(microseconds * PictureFolderWriter.TicksPerMicrosecond));
-        if (!double.IsNaN(microseconds))
-            faults.Add(FormattableString.Invariant(
-                $"source.{name} is {microseconds}; it must be 0 to {MaxMicroseconds}"));
-        return otherwise;
-    }
+    private static TimeSpan? ReadMicroseconds(JsonFields source, string name, double min, List<string> faults)
+        => ReadNumber(source, name, min, MaxMicroseconds, faults) is { } microseconds
+            ? TimeSpan.FromTicks((long)(microseconds * PictureFolderWriter.TicksPerMicrosecond))
+            : default(TimeSpan?);
 
     private static TimeSpan ReadStall(JsonFields source, TimeSpan otherwise, List<string> faults)
+        => ReadNumber(source, Stall, 0.1, 600, faults) is { } seconds ? TimeSpan.FromSeconds(seconds) : otherwise;
+
+    private static double? ReadNumber(JsonFields source, string name, double min, double max, List<string> faults)
     {
-        if (source.Number(Stall) is not { } seconds)
-            return otherwise;
-        if (seconds is >= 0.1 and <= 600)
-            return TimeSpan.FromSeconds(seconds);
-        if (!double.IsNaN(seconds))
-            faults.Add(FormattableString.Invariant($"source.{Stall} is {seconds}; it must be 0.1 to 600"));
-        return otherwise;
+        if (source.Number(name) is not { } number)
+            return null;
+        if (number >= min && number <= max)
+            return number;
+        if (!double.IsNaN(number))
+            faults.Add(FormattableString.Invariant($"source.{name} is {number}; it must be {min} to {max}"));
+        return null;
     }
 }

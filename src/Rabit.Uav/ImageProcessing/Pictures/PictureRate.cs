@@ -8,8 +8,9 @@ namespace Rabit.Uav.ImageProcessing;
 /// </summary>
 internal sealed class PictureRate(double? framesPerSecond)
 {
+    // By ticks: some runtimes make whole milliseconds of a number of seconds.
     private readonly TimeSpan _period = framesPerSecond is { } rate
-        ? TimeSpan.FromSeconds(1 / rate)
+        ? TimeSpan.FromTicks((long)(TimeSpan.TicksPerSecond / rate))
         : TimeSpan.Zero;
 
     private TimeSpan _due;

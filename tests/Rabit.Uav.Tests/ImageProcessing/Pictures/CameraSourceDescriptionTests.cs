@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Tests.ImageProcessing.VideoDevices;
 using Rabit.Vision;
 using Rabit.Vision.Tests.Pictures;
 using Xunit;
@@ -24,7 +25,7 @@ public sealed class CameraSourceDescriptionTests : IDisposable
               "timeNoiseMicroseconds": 25000, "stallTimeoutSeconds": 3 }
             """);
 
-        ProcessCameraOptions options = folder.Source!;
+        ProcessCameraOptions options = folder.Source!.Program!;
         Assert.Equal("rpicam-vid", options.Program);
         Assert.Equal(
             ["--width", "640", "--height", "480", "--framerate", "7.5", "-o", "-"], options.Arguments);
@@ -41,7 +42,7 @@ public sealed class CameraSourceDescriptionTests : IDisposable
     [Fact]
     public void Open_ProgramAlone_LeavesTheDefaults()
     {
-        ProcessCameraOptions options = Open("""{ "program": "sub/camera.sh" }""").Source!;
+        ProcessCameraOptions options = Open("""{ "program": "sub/camera.sh" }""").Source!.Program!;
 
         var defaults = new ProcessCameraOptions();
         Assert.Equal(Path.Combine(_folder.Path, "sub/camera.sh"), options.Program);
@@ -50,6 +51,37 @@ public sealed class CameraSourceDescriptionTests : IDisposable
             (ProcessCameraFormat.Mjpeg, null, defaults.Exposure, defaults.Latency, defaults.TimeNoise),
             (options.Format, options.MaxFramesPerSecond, options.Exposure, options.Latency, options.TimeNoise));
     }
+
+    [LinuxFact]
+    public void Open_Device_GivesItsOptions()
+    {
+        CameraFolder folder = Open("""
+            { "device": "/dev/video7", "format": "yuyv", "framesPerSecond": 5, "exposureMicroseconds": 2000,
+              "focus": 0, "timeNoiseMicroseconds": 8000 }
+            """);
+
+        V4l2CameraOptions options = folder.Source!.Device!;
+        Assert.Equal(
+            ("/dev/video7", V4l2PixelFormat.Yuyv, 640, 480, 5.0, 0),
+            (options.Device, options.Format, options.Width, options.Height, options.FramesPerSecond, options.Focus));
+        Assert.Equal(
+            (2.0, null, 8.0, 5.0),
+            (options.Exposure?.TotalMilliseconds, options.Latency, options.TimeNoise?.TotalMilliseconds,
+                options.StallTimeout.TotalSeconds));
+        Assert.Equal("/dev/video7", Assert.IsType<V4l2Camera>(folder.CreateCamera()).Name);
+    }
+
+    [Theory]
+    [InlineData("""{ "device": "" }""", "source.device is empty")]
+    [InlineData("""{ "device": "/dev/video0", "program": "x" }""", "source has both a program and a device")]
+    [InlineData("""{ "device": "/dev/video0", "format": "yuv420" }""", "it must be one of mjpeg, yuyv")]
+    [InlineData("""{ "device": "/dev/video0", "arguments": [] }""", "source.arguments is unknown")]
+    [InlineData(
+        """{ "device": "/dev/video0", "exposureMicroseconds": 1 }""", "source.exposureMicroseconds is 1; it must be 100 ")]
+    [InlineData("""{ "device": "/dev/video0", "focus": 1.5 }""", "source.focus is 1.5; it must be a whole number")]
+    public void Open_DeviceThatIsNone_NamesTheKey(string source, string expected)
+        => Assert.Contains(
+            expected, Assert.Throws<PictureException>(() => Open(source)).Reason, StringComparison.Ordinal);
 
     [Theory]
     [InlineData("{ }", "source.program is missing")]

@@ -1,0 +1,361 @@
+using System;
+using System.Collections.Concurrent;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Threading;
+using Rabit.Core;
+using Rabit.Tests.Shared;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.ImageProcessing.VideoDevices;
+using Rabit.Uav.Messages;
+using Rabit.Vision;
+using Xunit;
+
+namespace Rabit.Uav.Tests.ImageProcessing.VideoDevices;
+
+/// <summary>A video device, against a kernel that is made up; and what there is of a real one.</summary>
+public sealed class V4l2CameraTests : IDisposable
+{
+    private static readonly string Picture = Path.Combine(Repository.Root, "tests", "data", "jpeg", "420.jpg");
+    private static readonly byte[] Jpeg = File.ReadAllBytes(Picture);
+    private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(30);
+
+    private readonly ConcurrentQueue<string> _log = new();
+    private readonly ConcurrentQueue<(CameraFrame Frame, byte[] Pixels, TimeSpan Now)> _taken = new();
+    private FakeVideoSystem _system = new(8);
+    private V4l2Camera? _camera;
+    private RabitReactor? _reactor;
+    private MeasuringSource? _source;
+
+    public void Dispose()
+    {
+        Stop();
+        _system.Dispose();
+    }
+
+    [Theory]
+    [InlineData(4)]
+    [InlineData(8)]
+    public void Read_Mjpeg_GivesThePictureInBothLayouts(int pointerBytes)
+    {
+        _system = new FakeVideoSystem(pointerBytes);
+        Start(Options());
+        _system.Deliver([.. Jpeg, 0, 0, 0, 0], sequence: 1);   // drivers pad
+        Take(1);
+        _system.Deliver(Jpeg, sequence: 2);
+        Take(2);
+        _system.Deliver(Jpeg, sequence: 5);
+        Take(3);
+
+        Assert.All(_taken, t => Assert.Equal(PictureFile.Load(Picture).Pixels, t.Pixels));
+        Assert.Equal([0, 1, 4], _taken.Select(t => t.Frame.Number));
+        CameraStatistics counts = _camera!.Statistics;
+        Assert.Equal((3, 0, null), (counts.Delivered, counts.Refused, counts.Fault));
+        Assert.Contains("/dev/video0: Made-up camera", _log);
+    }
+
+    [Theory]
+    [InlineData(4)]
+    [InlineData(8)]
+    public void Read_Yuyv_GivesThePictureInBothLayouts(int pointerBytes)
+    {
+        _system = new FakeVideoSystem(pointerBytes) { Offers = (4, 2, FakeVideoSystem.Yuyv), RowBytes = 12 };
+        V4l2CameraOptions options = Options();
+        (options.Format, options.Width, options.Height) = (V4l2PixelFormat.Yuyv, 4, 2);
+        Start(options);
+
+        _system.Deliver([.. Enumerable.Repeat<byte[]>([235, 128], 6).SelectMany(b => b),
+            .. Enumerable.Repeat<byte[]>([16, 128], 4).SelectMany(b => b)]);
+        Take(1);
+
+        Assert.Equal(
+            [.. Enumerable.Repeat((byte)255, 12), .. Enumerable.Repeat((byte)0, 12)], _taken.Single().Pixels);
+    }
+
+    // The clock of the driver says how old the picture is.
+    [Theory]
+    [InlineData(4, FakeVideoSystem.StartOfExposure, 30_000, 30, 5)]
+    [InlineData(8, FakeVideoSystem.StartOfExposure, 30_000, 30, 5)]
+    [InlineData(8, FakeVideoSystem.EndOfFrame, 30_000, 30 + 4 + 15, 5)]
+    [InlineData(8, FakeVideoSystem.NoClock, 30_000, 50 + 4, 20)]
+    [InlineData(8, FakeVideoSystem.StartOfExposure, -1_000_000, 50 + 4, 20)]
+    [InlineData(8, FakeVideoSystem.StartOfExposure, 60_000_000, 50 + 4, 20)]
+    public void Read_Stamp_IsMappedToTheClockOfTheRun(
+        int pointerBytes, uint flags, long ageMicroseconds, double earlierMilliseconds, double noiseMilliseconds)
+    {
+        _system = new FakeVideoSystem(pointerBytes) { Controls = { [0x9A_0902] = (1, 5000, 100) } };
+        V4l2CameraOptions options = Options();
+        options.Readout = TimeSpan.FromMilliseconds(15);
+        options.Exposure = TimeSpan.FromMilliseconds(4);
+        Start(options);
+
+        TimeSpan before = _reactor!.Now;
+        _system.Deliver(Jpeg, flags, ageMicroseconds);
+        Take(1);
+
+        (CameraFrame frame, _, TimeSpan now) = _taken.Single();
+        TimeSpan arrival = frame.FrameStart + TimeSpan.FromTicks((long)(earlierMilliseconds * 10_000));
+        Assert.InRange(arrival, before, now);
+        Assert.Equal((4.0, noiseMilliseconds), (frame.Exposure.TotalMilliseconds, frame.TimeNoise.TotalMilliseconds));
+    }
+
+    [Fact]
+    public void Open_ExposureAndFocus_AreSetAsFarAsTheDeviceCan()
+    {
+        _system.Controls[0x9A_0901] = (0, 3, 3);
+        _system.Controls[0x9A_0902] = (50, 5000, 156);
+        _system.Controls[0x9A_0903] = (0, 1, 1);
+        V4l2CameraOptions options = Options();
+        (options.Exposure, options.Focus, options.FramesPerSecond) = (TimeSpan.FromMilliseconds(2), 30, 7.5);
+        Start(options);
+        _system.Deliver(Jpeg);
+        Take(1);
+
+        Assert.Equal(
+            (1, 50, 0),
+            (_system.Controls[0x9A_0901].Value, _system.Controls[0x9A_0902].Value, _system.Controls[0x9A_0903].Value));
+        Assert.Equal(5, _taken.Single().Frame.Exposure.TotalMilliseconds);   // 50 units is the least that it can
+        Assert.Contains("/dev/video0: it has no control of its focus", _log);
+        Assert.DoesNotContain("/dev/video0: it has no control of its exposure", _log);
+        Assert.Equal((1000u, 7500u), _system.Period);
+    }
+
+    [Fact]
+    public void Read_Unplugged_IsAFaultAndOpenedAgainWhenItIsBack()
+    {
+        Start(Options());
+        _system.Deliver(Jpeg);
+        Take(1);
+
+        _system.Unplug();
+        WaitForLog("/dev/video0: it was unplugged; it is opened again in 0.05 s");
+        WaitForLog("/dev/video0: there is no such device; it is opened again in 0.1 s");
+        Assert.Equal("/dev/video0: there is no such device", _camera!.Statistics.Fault);
+        Assert.Equal((_system.Opened, 0), (_system.Closed, _system.MappedNow));
+
+        _system.IsUnplugged = false;
+        _system.Deliver(Jpeg);
+        Take(2);
+        Assert.Null(_camera.Statistics.Fault);
+        Assert.True(_camera.Statistics.Restarts >= 2);
+        Stop();
+        Assert.Equal((_system.Opened, 0), (_system.Closed, _system.MappedNow));
+    }
+
+    [Theory]
+    [InlineData(13, "permission denied; add the user to the group 'video'")]
+    [InlineData(16, "it is in use by another program")]
+    [InlineData(24, "opening failed: error 24 of the operating system")]
+    public void Open_Fails_SaysWhyAndIsTriedAgain(int error, string reason)
+    {
+        _system.OpenError = error;
+        Start(Options());
+        WaitForLog("/dev/video0: " + reason);
+
+        _system.OpenError = 0;
+        _system.Deliver(Jpeg);
+        Take(1);
+    }
+
+    [Fact]
+    public void Open_OtherFormat_NamesWhatItGives()
+    {
+        _system.Offers = (640, 480, FakeVideoSystem.Yuyv);
+        Start(Options());
+
+        WaitForLog("/dev/video0: Made-up camera gives 640 x 480 YUYV; 61 x 43 MJPG is wanted; it is opened again in");
+        Assert.True(SpinWait.SpinUntil(() => _system.Opened == _system.Closed, MaxWait));
+    }
+
+    [Fact]
+    public void Read_NothingComes_IsAFault()
+    {
+        V4l2CameraOptions options = Options();
+        options.StallTimeout = TimeSpan.FromSeconds(0.2);
+        Start(options);
+
+        WaitForLog("/dev/video0: it gave no picture for 0.2 s; it is opened again in 0.05 s");
+        _system.Deliver(Jpeg);
+        Take(1);
+    }
+
+    [Fact]
+    public void Read_DriverInError_IsAFaultAtOnce()
+    {
+        V4l2CameraOptions options = Options();
+        options.StallTimeout = MaxWait;
+        _system.IsBroken = true;
+        Start(options);
+
+        WaitForLog("/dev/video0: it loses every picture (error 5 of the operating system); it is opened again in");
+        _system.IsBroken = false;
+        _system.Deliver(Jpeg);
+        Take(1);
+    }
+
+    [Fact]
+    public void Read_PicturesThatCannotBeUsed_AreCountedAndGivenBack()
+    {
+        Start(Options());
+        foreach (byte[] bad in new[] { [], Jpeg.Take(200).ToArray(), [0xFF, 0xD8, 0xFF, 0xD9] })
+            _system.Deliver(bad);
+        _system.Deliver(Jpeg, FakeVideoSystem.StartOfExposure | 0x40);
+        Assert.True(SpinWait.SpinUntil(
+            () => _camera!.Statistics is { } s && s.Refused + s.Skipped == 4, MaxWait), $"{_camera!.Statistics}");
+        Assert.NotNull(_camera.Statistics.Fault);
+
+        _system.Deliver(Jpeg);
+        Take(1);
+        Assert.Null(_camera.Statistics.Fault);
+        Assert.True(SpinWait.SpinUntil(() => _system.Queued == 4, MaxWait), $"{_system.Queued} buffers");
+    }
+
+    [Fact]
+    public void Read_AfterTheFirst_AllocatesNothing()
+    {
+        Start(Options());
+        for (int count = 1; count <= 30; count++)
+        {
+            _system.Deliver(Jpeg, sequence: (uint)count);
+            Take(count);
+        }
+
+        Stop();
+        Assert.Equal(0, _source!.MinAllocated);
+    }
+
+    [Fact]
+    public void New_OptionsThatAreNone_NamesThem()
+    {
+        ArgumentException e = Assert.Throws<ArgumentException>(() => new V4l2Camera(
+            new V4l2CameraOptions
+            {
+                Device = "/dev/video0", Format = V4l2PixelFormat.Yuyv, Width = 61, Height = 43, FramesPerSecond = 0,
+                Exposure = TimeSpan.Zero, Buffers = 0, StallTimeout = TimeSpan.Zero,
+            },
+            _system));
+
+        foreach (string name in new[] { "/dev/video0", "Width", "FramesPerSecond", "Exposure", "Buffers", "timeout" })
+            Assert.Contains(name, e.Message, StringComparison.Ordinal);
+    }
+
+    [LinuxFact]
+    public void LinuxCalls_OnThisMachine_AnswerAsTheyShould()
+    {
+        var system = new LinuxVideoSystem();
+        VideoDeviceException none = Assert.Throws<VideoDeviceException>(
+            () => new V4l2Device(system, new V4l2CameraOptions { Device = "/dev/no-such-camera" }));
+        VideoDeviceException other = Assert.Throws<VideoDeviceException>(
+            () => new V4l2Device(system, new V4l2CameraOptions { Device = "/dev/null" }));
+        int zero = system.Open("/dev/zero");
+        IntPtr memory = system.Map(zero, 0, 4096);
+
+        Assert.Equal("there is no such device", none.Message);
+        Assert.Equal("this is no video device", other.Message);
+        Assert.True(zero >= 0 && memory != IntPtr.Zero);
+        Assert.Equal(1, system.Wait(zero, 1000));
+        system.Unmap(memory, 4096);
+        system.Close(zero);
+        Assert.True(system.Wait(-1, 0) == 0, "a descriptor below 0 is left out");
+        long first = system.MonotonicMicroseconds();
+        Assert.InRange(system.MonotonicMicroseconds() - first, 0, 10_000_000);
+    }
+
+    [VideoDeviceFact]
+    public void RealDevice_GivesPictures()
+    {
+        V4l2CameraOptions options = Options();
+        (options.Device, options.Format, options.Width, options.Height)
+            = (VideoDeviceFactAttribute.Device, V4l2PixelFormat.Yuyv, 640, 480);
+        Start(options, new LinuxVideoSystem());
+
+        Take(3);
+        Assert.All(_taken, t => Assert.InRange(t.Now - t.Frame.FrameStart, TimeSpan.Zero, TimeSpan.FromSeconds(1)));
+        Assert.Contains(_taken, t => t.Pixels.Distinct().Skip(1).Any());
+    }
+
+    private static V4l2CameraOptions Options() => new()
+    {
+        Device = "/dev/video0",
+        Width = 61,
+        Height = 43,
+        FirstRestartDelay = TimeSpan.FromSeconds(0.05),
+    };
+
+    private void Start(V4l2CameraOptions options, IVideoSystem? system = null)
+    {
+        _camera = new V4l2Camera(options, system ?? _system);
+        _camera.LogTo(_log.Enqueue);
+        _source = new MeasuringSource(_camera);
+        _reactor = new RabitReactor(new ReactorOptions { StopsOnSignals = false }) { new Taker(_source, _taken) };
+        _reactor.Start();
+    }
+
+    private void Stop()
+    {
+        _reactor?.Stop();
+        _reactor?.Finish();
+        _reactor = null;
+    }
+
+    private void Take(int count)
+        => Assert.True(
+            SpinWait.SpinUntil(() => _taken.Count >= count, MaxWait), $"{_taken.Count} pictures; {_camera!.Statistics}");
+
+    private void WaitForLog(string start)
+        => Assert.True(
+            SpinWait.SpinUntil(() => _log.Any(l => l.StartsWith(start, StringComparison.Ordinal)), MaxWait),
+            string.Join("\n", _log));
+
+    /// <summary>
+    /// Measures what reading a picture allocates on the reader's thread. A collection adds to single ones; what reading
+    /// itself allocates, each has.
+    /// </summary>
+    private sealed class MeasuringSource(V4l2Camera camera) : IReaderSource<CameraFrame>
+    {
+        private int _read;
+
+        public bool Blocks => camera.Blocks;
+
+        public long MinAllocated { get; private set; } = long.MaxValue;
+
+        public void Open(ReaderContext context) => camera.Open(context);
+
+        public ReaderStep Read(out CameraFrame value)
+        {
+            long before = Allocated.SoFar;
+            ReaderStep step = camera.Read(out value);
+            if (step.Kind == ReaderStepKind.Value && ++_read > 3)
+                MinAllocated = Math.Min(MinAllocated, Allocated.SoFar - before);
+            return step;
+        }
+
+        public void Unblock() => camera.Unblock();
+
+        public void Close() => camera.Close();
+    }
+
+    private sealed class Taker : RabitManager
+    {
+        private readonly ConcurrentQueue<(CameraFrame Frame, byte[] Pixels, TimeSpan Now)> _taken;
+        private readonly BlockingReader<CameraFrame> _reader;
+
+        public Taker(
+            IReaderSource<CameraFrame> camera, ConcurrentQueue<(CameraFrame Frame, byte[] Pixels, TimeSpan Now)> taken)
+            : base("taker")
+        {
+            _taken = taken;
+            _reader = AttachReader("camera", camera, capacity: 10);
+        }
+
+        protected override void ExecuteUnitOfWork()
+        {
+            while (_reader.TryPop(out CameraFrame frame))
+            {
+                using (frame)
+                    _taken.Enqueue((frame, frame.Pixels.Span.Slice(0, frame.Width * frame.Height * 3).ToArray(), Now));
+            }
+        }
+    }
+}
