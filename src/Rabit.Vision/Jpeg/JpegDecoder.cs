@@ -9,9 +9,16 @@ namespace Rabit.Vision;
 /// after the first of a size. One thread.
 /// </summary>
 /// <remarks>
-/// Progressive, lossless, hierarchical and arithmetic coded files, 12 bits and CMYK are refused by name, and so is a
-/// picture of which a part is missing: what is not there must not be taken for ground without targets. The orientation
-/// that a file may state is not applied.
+/// <para>
+/// Lossless, hierarchical and arithmetic coded files, 12 bits and CMYK are refused by name, and so is a picture of
+/// which a part is missing: what is not there must not be taken for ground without targets. The orientation that a file
+/// may state is not applied.
+/// </para>
+/// <para>
+/// Where libturbojpeg is installed (Linux; Debian's libturbojpeg0), it decodes the pixels, which are the same, and
+/// progressive files are read too. What it finds fault with is decoded by Rabit's own decoder, which decides. Without
+/// it progressive files are refused. Only damaged files with values that no encoder writes may give other pixels.
+/// </para>
 /// </remarks>
 /// <example>
 /// <code>
@@ -24,18 +31,28 @@ namespace Rabit.Vision;
 /// </example>
 public sealed class JpegDecoder
 {
-    private readonly JpegHeader _header = new();
+    private const int MaxScans = 200;
+
+    private readonly JpegHeader _header;
+    private readonly TurboJpegLibrary? _library;
     private readonly JpegScan _scan;
     private readonly JpegUpsampler[] _rows = [new(), new(), new()];
     private byte[] _file = [];
+    private int _begin;
     private int _end;
     private bool _isOpen;
 
     /// <summary>Makes a decoder.</summary>
-    public JpegDecoder()
+    /// <param name="mayUseLibrary">Whether libturbojpeg is used where it is installed.</param>
+    public JpegDecoder(bool mayUseLibrary = true)
     {
+        _library = mayUseLibrary ? TurboJpegLibrary.TryCreate() : null;
+        _header = new JpegHeader(acceptsProgressive: _library is not null);
         _scan = new JpegScan(_header);
     }
+
+    /// <summary>What decodes, for people: "libturbojpeg" or "Rabit".</summary>
+    public string Engine => _library is null ? "Rabit" : "libturbojpeg";
 
     /// <summary>Columns of the picture that was opened.</summary>
     public int Width => _header.Width;
@@ -56,7 +73,7 @@ public sealed class JpegDecoder
         if (offset < 0 || count < 0 || offset > file.Length - count)
             throw new ArgumentOutOfRangeException(nameof(count), "These bytes are not in the array.");
         _isOpen = false;
-        (_file, _end) = (file, offset + count);
+        (_file, _begin, _end) = (file, offset, offset + count);
         _header.Open(file, offset, count, name);
         _isOpen = true;
     }
@@ -70,6 +87,12 @@ public sealed class JpegDecoder
         if (!_isOpen)
             throw new InvalidOperationException("No file is open: Open must succeed first, once for each picture.");
         _isOpen = false;
+        if (_header.IsProgressive && CountScans() > MaxScans)
+            throw _header.Fault($"it has more than {MaxScans} scans, which no camera makes");
+        if (_library?.TryDecode(_file, _begin, _end - _begin, Width, Height, pixels) == true)
+            return;
+        if (_header.IsProgressive)
+            throw _header.Fault("its pixels are damaged, or a part of them is missing");
         for (int at = 0; at < _header.ComponentCount; at++)
             _header.Components[at].Arrange(_header);
 
@@ -84,6 +107,20 @@ public sealed class JpegDecoder
         }
 
         WriteRows(pixels);
+    }
+
+    // Each goes over all pixels: a small file could take hours.
+    private int CountScans()
+    {
+        int scans = 0;
+        ReadOnlySpan<byte> left = _file.AsSpan(_begin, _end - _begin);
+        while (left.IndexOf((byte)0xFF) is var at && at >= 0 && at + 1 < left.Length)
+        {
+            scans += left[at + 1] == JpegMarker.Scan ? 1 : 0;
+            left = left.Slice(at + 1);
+        }
+
+        return scans;
     }
 
     private void WriteRows(byte[] pixels)

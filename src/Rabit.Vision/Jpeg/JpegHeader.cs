@@ -12,6 +12,7 @@ internal sealed class JpegHeader
 
     private readonly HuffmanTable[] _huffman = new HuffmanTable[8];
     private readonly bool[] _hasQuantisation = new bool[4];
+    private readonly bool _acceptsProgressive;
     private string _name = string.Empty;
     private byte[] _data = [];
     private int _end;
@@ -19,8 +20,10 @@ internal sealed class JpegHeader
     private bool _isJfif;
     private int _adobeTransform;
 
-    public JpegHeader()
+    /// <param name="acceptsProgressive">Whether progressive files are decoded, by another decoder.</param>
+    public JpegHeader(bool acceptsProgressive = false)
     {
+        _acceptsProgressive = acceptsProgressive;
         for (int at = 0; at < _huffman.Length; at++)
             _huffman[at] = new HuffmanTable();
         for (int at = 0; at < MaxComponents; at++)
@@ -61,6 +64,9 @@ internal sealed class JpegHeader
     /// <summary>Whether the components are red, green and blue, not brightness and two colours.</summary>
     public bool IsRgb { get; private set; }
 
+    /// <summary>Whether it is progressive; only its first scan header is read then.</summary>
+    public bool IsProgressive { get; private set; }
+
     /// <summary>Where the bits of the scan begin.</summary>
     public int ScanAt => _at;
 
@@ -70,6 +76,7 @@ internal sealed class JpegHeader
     {
         (_data, _at, _end, _name) = (data, offset + 2, offset + count, name);
         (ComponentCount, RestartInterval, _isJfif, _adobeTransform) = (0, 0, false, -1);
+        IsProgressive = false;
         Array.Clear(_hasQuantisation, 0, _hasQuantisation.Length);
         foreach (HuffmanTable table in _huffman)
             table.Clear();
@@ -155,7 +162,8 @@ internal sealed class JpegHeader
 
     private void ReadFrame(int marker, ReadOnlySpan<byte> segment)
     {
-        if (JpegMarker.FindFrameFault(marker) is { } kind)
+        IsProgressive = marker == JpegMarker.ProgressiveFrame && _acceptsProgressive;
+        if (!IsProgressive && JpegMarker.FindFrameFault(marker) is { } kind)
             throw Fault(kind);
         if (ComponentCount > 0)
             throw Fault("it has two frame headers");
@@ -260,11 +268,13 @@ internal sealed class JpegHeader
             JpegComponent component = FindComponent(segment[1 + (2 * at)]);
             int tables = segment[2 + (2 * at)];
             (component.DcTable, component.AcTable, component.IsDecoded) = (tables >> 4, tables & 15, true);
+            ScanComponents[at] = component;
+            blocks += component.Horizontal * component.Vertical;
+            if (IsProgressive)
+                continue;
             if (!HasTable(false, component.DcTable) || !HasTable(true, component.AcTable)
                 || !_hasQuantisation[component.QuantisationTable])
                 throw Fault("a table that its pixels need is missing");
-            ScanComponents[at] = component;
-            blocks += component.Horizontal * component.Vertical;
         }
 
         if (count > 1 && blocks > 10)
@@ -273,13 +283,14 @@ internal sealed class JpegHeader
         DemandBytes(count, blocks);
     }
 
-    // Each block takes two codes of at least one bit. So a small file makes no room for a large picture.
+    // Each block takes two codes of at least one bit, or one in the first scan of a progressive file. So a small file
+    // makes no room for a large picture.
     private void DemandBytes(int count, int blocks)
     {
         long all = count > 1
             ? (long)UnitsAcross * UnitsDown * blocks
             : (long)BlocksAcross(ScanComponents[0]) * BlocksDown(ScanComponents[0]);
-        if (_end - _at < all / 4)
+        if (_end - _at < all / (IsProgressive ? 8 : 4))
             throw Fault("it is cut off");
     }
 

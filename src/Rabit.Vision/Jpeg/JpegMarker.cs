@@ -5,6 +5,7 @@ internal static class JpegMarker
 {
     public const int BaselineFrame = 0xC0;
     public const int ExtendedFrame = 0xC1;
+    public const int ProgressiveFrame = 0xC2;
     public const int HuffmanTables = 0xC4;
     public const int FirstRestart = 0xD0;
     public const int LastRestart = 0xD7;
@@ -27,7 +28,7 @@ internal static class JpegMarker
     public static string? FindFrameFault(int marker) => marker switch
     {
         BaselineFrame or ExtendedFrame => null,
-        0xC2 => "it is a progressive JPEG; only baseline and extended sequential ones are read",
+        ProgressiveFrame => "it is a progressive JPEG, which is read only where libturbojpeg is installed",
         0xC3 => "it is a lossless JPEG; only baseline and extended sequential ones are read",
         0xC5 or 0xC6 or 0xC7 => "it is a hierarchical JPEG; only baseline and extended sequential ones are read",
         _ => "it is a JPEG with arithmetic coding; only Huffman coding is read",

@@ -29,7 +29,7 @@ public sealed class JpegDecoderTests
     [MemberData(nameof(Decodable))]
     public void Decode_EverySampling_IsLibjpegsToTheBit(string file, int width, int height, int channels, string hash)
     {
-        RgbPicture picture = JpegPicture.Decode(JpegFiles.Read(file), file);
+        RgbPicture picture = JpegFiles.Decode(JpegFiles.Read(file), file);
 
         Assert.Equal((width, height), (picture.Width, picture.Height));
         Assert.Equal(hash, JpegFiles.HashOf(picture.Pixels, channels));
@@ -42,7 +42,7 @@ public sealed class JpegDecoderTests
         byte[] asCamera = JpegFiles.Without(file, 0xC4);
 
         Assert.True(asCamera.Length < file.Length - 400);
-        Assert.Equal(JpegPicture.Decode(file, "a").Pixels, JpegPicture.Decode(asCamera, "b").Pixels);
+        Assert.Equal(JpegFiles.Decode(file, "a").Pixels, JpegFiles.Decode(asCamera, "b").Pixels);
     }
 
     [Fact]
@@ -52,7 +52,7 @@ public sealed class JpegDecoderTests
         byte[] thumbnail = Encoding.ASCII.GetBytes("Exif\0\0").Concat(JpegFiles.Read("grey.jpg")).ToArray();
         byte[] changed = JpegFiles.With(file, 0xE1, thumbnail).Concat(JpegFiles.Read("444.jpg")).ToArray();
 
-        Assert.Equal(JpegPicture.Decode(file, "a").Pixels, JpegPicture.Decode(changed, "b").Pixels);
+        Assert.Equal(JpegFiles.Decode(file, "a").Pixels, JpegFiles.Decode(changed, "b").Pixels);
     }
 
     [Fact]
@@ -61,7 +61,7 @@ public sealed class JpegDecoderTests
         byte[] file = JpegFiles.Read("420.jpg");
 
         Assert.Equal(
-            JpegPicture.Decode(file, "a").Pixels, JpegPicture.Decode(file.Take(file.Length - 2).ToArray(), "b").Pixels);
+            JpegFiles.Decode(file, "a").Pixels, JpegFiles.Decode(file.Take(file.Length - 2).ToArray(), "b").Pixels);
     }
 
     [Fact]
@@ -74,7 +74,7 @@ public sealed class JpegDecoderTests
             changed, 0xDB, new byte[] { 0x10 }.Concat(steps.SelectMany(s => new byte[] { 0, s })).ToArray());
         changed[JpegFiles.Find(changed, 0xC0) - 3] = 0xC1;
 
-        Assert.Equal(JpegPicture.Decode(file, "a").Pixels, JpegPicture.Decode(changed, "b").Pixels);
+        Assert.Equal(JpegFiles.Decode(file, "a").Pixels, JpegFiles.Decode(changed, "b").Pixels);
     }
 
     [Theory]
@@ -100,7 +100,7 @@ public sealed class JpegDecoderTests
         file[frame - 3] = (byte)marker;
         byte[] header = [(byte)bits, (byte)(height >> 8), (byte)height, (byte)(width >> 8), (byte)width];
         header.CopyTo(file, frame);
-        var decoder = new JpegDecoder();
+        var decoder = new JpegDecoder(mayUseLibrary: false);
 
         PictureException fault = Assert.Throws<PictureException>(() => decoder.Open(file, 0, file.Length, "x"));
 
@@ -113,8 +113,8 @@ public sealed class JpegDecoderTests
     public void Decode_CutAnywhere_IsRefusedOrWhole()
     {
         byte[] file = JpegFiles.Read("420-restarts.jpg");
-        byte[] whole = JpegPicture.Decode(file, "x").Pixels;
-        var decoder = new JpegDecoder();
+        byte[] whole = JpegFiles.Decode(file, "x").Pixels;
+        var decoder = new JpegDecoder(mayUseLibrary: false);
         byte[] pixels = new byte[whole.Length];
         int refused = 0;
         for (int length = 0; length < file.Length; length++)
@@ -147,7 +147,7 @@ public sealed class JpegDecoderTests
     [Fact]
     public void Decode_NotOpenOrTwice_IsRefused()
     {
-        var decoder = new JpegDecoder();
+        var decoder = new JpegDecoder(mayUseLibrary: false);
         byte[] file = JpegFiles.Read("grey.jpg");
         byte[] pixels = new byte[61 * 43 * 3];
 
@@ -161,7 +161,7 @@ public sealed class JpegDecoderTests
     [Fact]
     public void Decode_OneAfterTheOther_AllocatesNothing()
     {
-        var decoder = new JpegDecoder();
+        var decoder = new JpegDecoder(mayUseLibrary: false);
         var files = new List<byte[]>
         {
             JpegFiles.Read("420-wide.jpg"), JpegFiles.Read("422-wide.jpg"), JpegFiles.Read("440-wide.jpg"),
@@ -197,7 +197,7 @@ public sealed class JpegDecoderTests
 
     private static void AssertRefused(byte[] file, string reason)
     {
-        PictureException fault = Assert.Throws<PictureException>(() => JpegPicture.Decode(file, "x.jpg"));
+        PictureException fault = Assert.Throws<PictureException>(() => JpegFiles.Decode(file, "x.jpg"));
         Assert.StartsWith("x.jpg: ", fault.Message, StringComparison.Ordinal);
         Assert.Contains(reason, fault.Reason, StringComparison.Ordinal);
     }

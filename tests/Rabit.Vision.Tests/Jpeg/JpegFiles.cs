@@ -18,6 +18,16 @@ internal static class JpegFiles
 
     public static byte[] Read(string name) => File.ReadAllBytes(Path.Combine(Folder, name));
 
+    /// <summary>By our own decoder, whatever is installed.</summary>
+    public static RgbPicture Decode(byte[] file, string name, bool mayUseLibrary = false)
+    {
+        var decoder = new JpegDecoder(mayUseLibrary);
+        decoder.Open(file, 0, file.Length, name);
+        byte[] pixels = new byte[decoder.Width * decoder.Height * 3];
+        decoder.Decode(pixels);
+        return new RgbPicture(decoder.Width, decoder.Height, pixels);
+    }
+
     /// <summary>FNV-1a of 64 bits over every sample, or over the first of three.</summary>
     public static string HashOf(byte[] pixels, int channels)
     {

@@ -24,7 +24,7 @@ public sealed class JpegHostileTests(ITestOutputHelper output)
     private void Mutate(int seed, int count)
     {
         var numbers = new SeededNumbers(seed);
-        var decoder = new JpegDecoder();
+        var decoder = new JpegDecoder(mayUseLibrary: false);
         byte[] pixels = [];
         for (int at = 0; at < count; at++)
         {
@@ -50,7 +50,7 @@ public sealed class JpegHostileTests(ITestOutputHelper output)
     }
 
     // Bytes of any value, mostly in the header; cut, doubled and moved pieces.
-    private static byte[] Change(byte[] file, SeededNumbers numbers)
+    internal static byte[] Change(byte[] file, SeededNumbers numbers)
     {
         for (int left = 1 + numbers.Below(4); left > 0; left--)
         {

@@ -96,11 +96,11 @@ public sealed class PictureFileTests : IDisposable
     [Fact]
     public void Load_JpegThatIsNotRead_NamesFileAndReason()
     {
-        string path = Write("x.jpg", JpegFiles.Read("progressive.jpg"));
+        string path = Write("x.jpg", JpegFiles.Read("arithmetic.jpg"));
 
         PictureException fault = Assert.Throws<PictureException>(() => PictureFile.Load(path));
 
-        Assert.StartsWith(path + ": it is a progressive JPEG", fault.Message, StringComparison.Ordinal);
+        Assert.StartsWith(path + ": it is a JPEG with arithmetic coding", fault.Message, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -7,6 +7,9 @@ internal sealed class CameraPictures(string camera, int width, int height)
 {
     private readonly JpegDecoder _jpeg = new();
 
+    /// <summary>For the log: what decodes JPEG pictures.</summary>
+    public string EngineText => "JPEG pictures are decoded by " + _jpeg.Engine;
+
     /// <summary>Decodes a JPEG.</summary>
     /// <exception cref="PictureException">It is none, or has another size.</exception>
     public void DecodeJpeg(byte[] bytes, int start, int length, byte[] pixels)

@@ -115,6 +115,8 @@ public sealed class ProcessCamera : ICamera
     {
         _context = context ?? throw new ArgumentNullException(nameof(context));
         _delay.Reset();
+        if (_options.Format == ProcessCameraFormat.Mjpeg)
+            Log($"{_options.Program}: {_pictures.EngineText}");
         TryStart();
     }
 

@@ -108,6 +108,8 @@ public sealed class V4l2Camera : ICamera
     {
         _context = context ?? throw new ArgumentNullException(nameof(context));
         _delay.Reset();
+        if (_options.Format == V4l2PixelFormat.Mjpeg)
+            Volatile.Read(ref _log)?.Invoke($"{_options.Device}: {_pictures.EngineText}");
         TryOpen();
     }
 

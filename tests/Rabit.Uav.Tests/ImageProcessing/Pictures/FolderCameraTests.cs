@@ -78,14 +78,14 @@ public sealed class FolderCameraTests : IDisposable
     {
         string damaged = _rig.Write(1, At(1));
         File.WriteAllBytes(_rig.PathOf(damaged), File.ReadAllBytes(_rig.PathOf(damaged)).Take(50).ToArray());
-        File.WriteAllBytes(_rig.PathOf("f000002_" + Micros(2) + "_e2000.jpg"), [0xFF, 0xD8, 0xFF, 0xC2, 0, 2]);
+        File.WriteAllBytes(_rig.PathOf("f000002_" + Micros(2) + "_e2000.jpg"), [0xFF, 0xD8, 0xFF, 0xC3, 0, 2]);
         PictureFile.Save(_rig.PathOf("f000003_" + Micros(3) + "_e2000.ppm"), SamplePictures.Random(5, 4, seed: 1));
         PictureFile.Save(_rig.PathOf("f000004_" + Micros(4) + "_e0.ppm"), SamplePictures.Random(4, 5, seed: 1));
 
         _rig.RunFor(At(1.5));
         Assert.Contains("cut off", _rig.Camera.LastRefusal, StringComparison.Ordinal);
         _rig.RunFor(At(1));
-        Assert.Contains("_e2000.jpg: it is a progressive JPEG", _rig.Camera.LastRefusal, StringComparison.Ordinal);
+        Assert.Contains("_e2000.jpg: it is a lossless JPEG", _rig.Camera.LastRefusal, StringComparison.Ordinal);
         _rig.RunFor(At(1));
         Assert.Contains("5 x 4 pixels", _rig.Camera.LastRefusal, StringComparison.Ordinal);
         _rig.RunFor(At(1));

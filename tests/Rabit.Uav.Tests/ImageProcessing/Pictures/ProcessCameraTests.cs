@@ -80,7 +80,7 @@ public sealed class ProcessCameraTests : IDisposable
     {
         ProcessCameraOptions options = Options(
             "cat \"$1\"; sleep 0.3; cat \"$2\"; sleep 0.3; cat \"$3\"; sleep 60",
-            Path.Combine(Jpegs, "progressive.jpg"), Path.Combine(Jpegs, "420-best.jpg"),
+            Path.Combine(Jpegs, "arithmetic.jpg"), Path.Combine(Jpegs, "420-best.jpg"),
             Path.Combine(Jpegs, "420.jpg"));
 
         Run(options, 1, out ProcessCamera camera);
