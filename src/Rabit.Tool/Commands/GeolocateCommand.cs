@@ -17,7 +17,7 @@ internal static class GeolocateCommand
     {
         Argument<string> camera = new("CAMERA")
         {
-            Description = "The camera and its mount (docs/camera-folder.md), or a photo (.jpg, .jpeg) that says in its "
+            Description = "The camera and its mount (docs/camera-folder.md), or a photo (.jpg, .jpeg, .png) that says in its "
                 + "EXIF and XMP where it was and how its camera was turned.",
         };
         Argument<string?> request = new("REQUEST") { Description = RequestText, Arity = ArgumentArity.ZeroOrOne };

@@ -24,7 +24,7 @@ internal sealed class GeolocateOptions
     public bool IsJson { get; set; }
 
     /// <summary>Whether the first file is a photo, which describes its camera itself.</summary>
-    public bool IsPhoto => Path.GetExtension(Camera).ToUpperInvariant() is ".JPG" or ".JPEG";
+    public bool IsPhoto => Path.GetExtension(Camera).ToUpperInvariant() is ".JPG" or ".JPEG" or ".PNG";
 
     /// <summary>Whether the pixels of the photo were turned by half a turn after it was taken.</summary>
     public bool IsTurned { get; set; }
@@ -39,7 +39,7 @@ internal sealed class GeolocateOptions
         if (Telemetry is null != TimeSeconds is null)
             return "--telemetry and --time go together.";
         if (!IsPhoto && (IsTurned || OfPhoto.Count > 0))
-            return $"--{(IsTurned ? "turned" : OfPhoto.Keys.First())} is for a photo (.jpg, .jpeg), which {Camera} is "
+            return $"--{(IsTurned ? "turned" : OfPhoto.Keys.First())} is for a photo (.jpg, .jpeg, .png), which {Camera} is "
                 + "not.";
         if (IsPhoto && (Request ?? Telemetry) is { } other)
             return $"{Camera} is a photo, which needs no {other}.";

@@ -87,6 +87,11 @@ internal sealed class Photo
             pixels = FocalLength.FromSensor(
                 longSide, Find("focal-length", _said.FocalLengthMillimetres, "its focal length"), sensor);
         }
+        else if (Given("focal-length-35mm") is null && _said.FocalLengthPixels is { } calibrated)
+        {
+            // Of the picture as it was taken, which may have been made smaller since.
+            pixels = calibrated * longSide / Math.Max(_said.PixelWidth ?? width, _said.PixelHeight ?? height);
+        }
         else
         {
             double equivalent = Find(

@@ -14,6 +14,7 @@ internal static class XmpReader
 {
     private const string Namespace = "http://www.dji.com/drone-dji/";
     private const double MaxMetres = 100_000;
+    private const double MaxPixels = 1_000_000;
 
     public static void Read(string text, PhotoMetadata photo, List<string> faults)
     {
@@ -72,6 +73,7 @@ internal static class XmpReader
             return null;
         }
 
+        photo.FocalLengthPixels = Number("CalibratedFocalLength", MaxPixels) is > 0 and { } focal ? focal : null;
         photo.GimbalRollDegrees = Number("GimbalRollDegree", 360);
         photo.GimbalPitchDegrees = Number("GimbalPitchDegree", 360);
         photo.GimbalYawDegrees = Number("GimbalYawDegree", 360);

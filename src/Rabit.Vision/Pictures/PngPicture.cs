@@ -33,7 +33,10 @@ public static class PngPicture
 
     /// <summary>Makes the bytes of a PNG file.</summary>
     /// <param name="picture">The picture.</param>
-    public static byte[] Encode(RgbPicture picture)
+    /// <param name="metadata">
+    /// What it says of itself, as EXIF (chunk eXIf) and XMP (chunk iTXt); null for nothing.
+    /// </param>
+    public static byte[] Encode(RgbPicture picture, PhotoMetadata? metadata = null)
     {
         if (picture is null)
             throw new ArgumentNullException(nameof(picture));
@@ -44,6 +47,14 @@ public static class PngPicture
         PutNumber(header, 4, (uint)picture.Height);
         (header[8], header[9]) = (8, TruecolourRgb);
         WriteChunk(file, Header, header, header.Length);
+        if (metadata is not null)
+        {
+            byte[] exif = ExifWriter.Write(metadata);
+            WriteChunk(file, PngMetadata.Exif, exif, exif.Length);
+            byte[] xmp = PngMetadata.XmpChunk(XmpWriter.Write(metadata));
+            WriteChunk(file, PngMetadata.InternationalText, xmp, xmp.Length);
+        }
+
         using MemoryStream data = Compress(picture);
         WriteChunk(file, Data, data.GetBuffer(), (int)data.Length);
         WriteChunk(file, End, [], 0);

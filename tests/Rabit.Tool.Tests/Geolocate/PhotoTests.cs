@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using Rabit.Geodesy;
 using Rabit.Geodesy.Tests;
+using Rabit.Vision;
 using Rabit.Vision.Tests.Jpeg;
 using Rabit.Vision.Tests.Metadata;
 using Xunit;
@@ -35,6 +36,29 @@ public sealed class PhotoTests : IDisposable
         Assert.Equal(metres * Math.Sin(azimuthDegrees * Vectors.Degree), place.East, 0.2);
         Assert.Equal(-198.309 - 39.8, _run.Json.Number("altitudeAmslMetres"), 3);
         Assert.InRange(_run.Json.Number("ellipse95HalfMajorAxisMetres"), 2, 6);
+    }
+
+    // As a program of one's own writes it: the focal length in pixels is of the size that the picture had.
+    [Theory]
+    [InlineData(61, 43)]
+    [InlineData(122, 86)]
+    public void Photo_PngWithMetadata_GivesThePlace(int takenWidth, int takenHeight)
+    {
+        byte[] png = PngPicture.Encode(
+            new RgbPicture(61, 43, new byte[61 * 43 * 3]),
+            new PhotoMetadata
+            {
+                LatitudeDegrees = Latitude, LongitudeDegrees = Longitude, AltitudeAmslMetres = 540,
+                RelativeAltitudeMetres = 50, GimbalPitchDegrees = -90, GimbalYawDegrees = 0, GimbalRollDegrees = 0,
+                PixelWidth = takenWidth, PixelHeight = takenHeight, FocalLengthPixels = 50 * takenWidth / 61.0,
+            });
+
+        Assert.Equal(0, _run.Run(Write("a.png", png), "--pixel", "60,21", "--json"));
+
+        NedPosition place = PlaceFromCamera();
+        Assert.Equal(0, place.North, 0.01);
+        Assert.Equal(30, place.East, 0.01);
+        Assert.Equal(490, _run.Json.Number("altitudeAmslMetres"), 3);
     }
 
     [Fact]

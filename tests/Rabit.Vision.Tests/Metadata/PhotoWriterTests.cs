@@ -1,0 +1,80 @@
+using System;
+using System.Linq;
+using Xunit;
+
+namespace Rabit.Vision.Tests.Metadata;
+
+/// <summary>What is written into a PNG is read again.</summary>
+public sealed class PhotoWriterTests
+{
+    [Theory]
+    [InlineData(47.12345678, 8.98765432, 512.345)]
+    [InlineData(-0.00001234, -179.99999, -12.5)]
+    [InlineData(89.99999999, 0.5, 0)]
+    public void Encode_Metadata_IsReadAgain(double latitude, double longitude, double altitude)
+    {
+        var taken = new DateTime(2026, 3, 4, 5, 6, 7).AddTicks(1_234_560);
+        var written = new PhotoMetadata
+        {
+            Make = "Rabit", Model = "nadir", TakenLocal = taken, UtcOffset = TimeSpan.Zero,
+            PositionTimeUtc = new DateTimeOffset(taken, TimeSpan.Zero), PixelWidth = 4, PixelHeight = 5,
+            LatitudeDegrees = latitude, LongitudeDegrees = longitude, AltitudeAmslMetres = altitude,
+            AbsoluteAltitudeMetres = altitude, RelativeAltitudeMetres = 41.25, ImageDirectionDegrees = 12.5,
+            FocalLengthPixels = 531.4567, FocalLengthMillimetres = 4.25,
+            FocalLength35MillimetreEquivalentMillimetres = 30, GimbalRollDegrees = -0.125,
+            GimbalPitchDegrees = -89.5, GimbalYawDegrees = 179.25, FlightRollDegrees = 3, FlightPitchDegrees = -4,
+            FlightYawDegrees = -170.5,
+        };
+        RgbPicture picture = Pictures.SamplePictures.Random(4, 5, seed: 1);
+
+        byte[] file = PngPicture.Encode(picture, written);
+        PhotoMetadata read = PhotoMetadata.Read(file, "x");
+
+        Assert.Equal(picture.Pixels, PngPicture.Decode(file, "x").Pixels);
+        Assert.Empty(read.Faults);
+        Assert.Equal((4, 5, 4, 5), (read.Width, read.Height, read.PixelWidth, read.PixelHeight));
+        Assert.Equal(("Rabit", "nadir", new DateTimeOffset(taken, TimeSpan.Zero)), (read.Make, read.Model, read.Taken));
+        Assert.Equal(latitude, read.LatitudeDegrees!.Value, 1e-11);
+        Assert.Equal(longitude, read.LongitudeDegrees!.Value, 1e-11);
+        Assert.Equal(altitude, read.AltitudeAmslMetres!.Value, 1e-5);
+        Assert.InRange(
+            (read.PositionTimeUtc!.Value - written.PositionTimeUtc.Value).Duration(), TimeSpan.Zero,
+            TimeSpan.FromMilliseconds(1));
+        Assert.Equal(
+            [altitude, 41.25, 12.5, 531.4567, 4.25, 30, -0.125, -89.5, 179.25, 3, -4, -170.5],
+            new[]
+            {
+                read.AbsoluteAltitudeMetres, read.RelativeAltitudeMetres, read.ImageDirectionDegrees,
+                read.FocalLengthPixels, read.FocalLengthMillimetres,
+                read.FocalLength35MillimetreEquivalentMillimetres, read.GimbalRollDegrees, read.GimbalPitchDegrees,
+                read.GimbalYawDegrees, read.FlightRollDegrees, read.FlightPitchDegrees, read.FlightYawDegrees,
+            }.Select(n => Math.Round(n!.Value, 5)));
+    }
+
+    [Fact]
+    public void Encode_NothingKnown_SaysNothing()
+    {
+        PhotoMetadata read = PhotoMetadata.Read(
+            PngPicture.Encode(Pictures.SamplePictures.Random(4, 5, seed: 1), new PhotoMetadata()), "x");
+
+        Assert.Empty(read.Faults);
+        Assert.Equal((null, null, null, null), (read.Make, read.Taken, read.LatitudeDegrees, read.GimbalYawDegrees));
+    }
+
+    [Fact]
+    public void Read_PngCutOrChanged_EndsWithoutCrash()
+    {
+        const int Seed = 4;
+        var random = new Random(Seed);
+        byte[] file = PngPicture.Encode(
+            Pictures.SamplePictures.Random(4, 5, seed: 1),
+            new PhotoMetadata { Make = "Rabit", LatitudeDegrees = 1, LongitudeDegrees = 2, GimbalYawDegrees = 3 });
+        for (int at = 8; at < file.Length; at++)
+        {
+            Assert.NotNull(PhotoMetadata.Read(file.Take(at).ToArray(), "x"));
+            byte[] changed = (byte[])file.Clone();
+            changed[at] = (byte)random.Next(256);
+            Assert.NotNull(PhotoMetadata.Read(changed, "x"));
+        }
+    }
+}
