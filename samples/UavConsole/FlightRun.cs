@@ -158,6 +158,7 @@ internal static class FlightRun
             StopsWhenMissionEnds = options.FliesMission,
             MaxMissionTime = options.IsSimulated ? MaxSimulation : null,
             ImageChips = () => flight.Uav.ImageProcessing.ImageChips,
+            FindPictureOverview = number => flight.Uav.ImageProcessing.FindPictureOverview(number),
         });
         reactor.Add(recorder);
         web?.Add(reactor, flight, options.FliesMission);

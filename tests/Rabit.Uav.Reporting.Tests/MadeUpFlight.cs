@@ -74,7 +74,9 @@ internal static class MadeUpFlight
                 },
             },
             Pictures = MadeUpTargets.Tracks(finds, hasFalseTrack).Where(t => t.BestPictureNumber >= 0)
-                .Select(MadeUpTargets.Chip).ToArray(),
+                .SelectMany(MadeUpTargets.Chips).ToArray(),
+            Overviews = MadeUpTargets.Tracks(finds, hasFalseTrack).Where(t => t.Id != MadeUpTargets.FalseTrackId)
+                .Select(MadeUpTargets.Overview).ToArray(),
             Vehicle = new VehicleState
             {
                 SystemId = 1,

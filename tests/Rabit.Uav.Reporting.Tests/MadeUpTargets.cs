@@ -13,7 +13,7 @@ namespace Rabit.Uav.Reporting.Tests;
 /// </summary>
 internal static class MadeUpTargets
 {
-    private const int FalseTrackId = 8;
+    public const int FalseTrackId = 8;
 
     public static IReadOnlyList<TargetScore> Targets { get; } =
     [
@@ -87,10 +87,29 @@ internal static class MadeUpTargets
             LastSeen = TimeSpan.FromSeconds(60 + (18 * id)),
             BestPictureNumber = 100 + id,
             BestReportIndex = 0,
+            OtherPictures = [new TrackPicture(200 + id, 0), new TrackPicture(300 + id, 0)],
         };
 
-    /// <summary>The part of a picture around a target.</summary>
-    public static ImageChip Chip(TargetTrack track)
+    /// <summary>A whole picture with the target, and another one at its side.</summary>
+    public static PictureOverview Overview(TargetTrack track)
+    {
+        byte[] rgb = new byte[160 * 120 * 3];
+        var random = new Random(track.Id);
+        for (int i = 0; i < rgb.Length; i++)
+            rgb[i] = (byte)(90 + random.Next(-18, 18));
+        return new PictureOverview(
+            track.BestPictureNumber, 160, 120, rgb,
+            [new PictureBox(0, 0.4, 0.5, 0.05, 0.08), new PictureBox(1, 0.7, 0.2, 0.04, 0.05)]);
+    }
+
+    /// <summary>The parts of pictures around a target.</summary>
+    public static IEnumerable<ImageChip> Chips(TargetTrack track)
+        => [
+            Chip(track, track.BestPictureNumber),
+            .. track.OtherPictures.Select(o => Chip(track, o.PictureNumber)),
+        ];
+
+    private static ImageChip Chip(TargetTrack track, long picture)
     {
         const int Size = 48;
         var rgb = new byte[Size * Size * 3];
@@ -108,6 +127,6 @@ internal static class MadeUpTargets
             }
         }
 
-        return new ImageChip(track.BestPictureNumber, track.BestReportIndex, Size, Size, rgb);
+        return new ImageChip(picture, track.BestReportIndex, Size, Size, rgb);
     }
 }

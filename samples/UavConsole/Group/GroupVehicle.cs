@@ -21,6 +21,7 @@ internal sealed class GroupVehicle
         {
             ManagerNames = reactor.Select(m => m.Name).ToArray(),
             ImageChips = () => uav.ImageProcessing.ImageChips,
+            FindPictureOverview = number => uav.ImageProcessing.FindPictureOverview(number),
         });
         reactor.Add(recorder);
         _status = reactor.Workspace.Subscribe<GroupStatus>(MessageNames.Group);

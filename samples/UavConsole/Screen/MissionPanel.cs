@@ -19,6 +19,9 @@ internal sealed class MissionPanel(FlightMonitor monitor, int width)
     private const int WideText = 50;
     private const int BarWidth = 8;
 
+    // With fewer the targets have its line.
+    private const int RowsForPicture = 17;
+
     // What the operator can do; a stop after a takeover sends nothing.
     private static readonly string[] TakenOverHints =
     [
@@ -34,6 +37,8 @@ internal sealed class MissionPanel(FlightMonitor monitor, int width)
         FlightRecord record = monitor.Record;
         MissionStatus mission = record.Mission;
         List<string> lines = [.. Mission(record), .. Vehicle(monitor.Vehicle, mission)];
+        if (rows >= RowsForPicture && MissionText.LastPicture(record.Imaging, isShort: !IsWide) is { } picture)
+            lines.Add(Field("picture", picture, "default"));
         if (mission.Phase == MissionPhase.HandedOver && monitor.Vehicle.IsArmed)
             lines.AddRange(TakenOverHints.Select(h => $"[yellow]{Markup.Escape(Text.Fit(h, width).TrimEnd())}[/]"));
         lines.AddRange(Targets(record.Tracks, Math.Max(0, rows - lines.Count - 1)));

@@ -102,6 +102,32 @@ internal static class MissionText
             : $"{FlightText.Number(share * 100, "0")} % usable, {pictures}";
     }
 
+    /// <summary>What the last picture was like; null before the first.</summary>
+    /// <param name="imaging">With the last picture.</param>
+    /// <param name="isShort">Without its levels, for a narrow screen.</param>
+    public static string? LastPicture(in ImagingStatus imaging, bool isShort = false)
+    {
+        if (imaging.LastPicture is not { } picture)
+            return null;
+        string exposure = picture.Exposure > TimeSpan.Zero
+            ? $", {FlightText.Number(picture.Exposure.TotalMilliseconds, "0.##")} ms"
+            : string.Empty;
+        if (isShort)
+        {
+            return $"{FlightText.Number(picture.Detections)} found, sharp "
+                + $"{FlightText.Number(picture.Sharpness, "0.00")}{exposure}";
+        }
+
+        string clipped = picture.ClippedShare >= 0.005
+            ? $", {FlightText.Number(picture.ClippedShare * 100, "0")} % clipped"
+            : string.Empty;
+        string sharpness = double.IsNaN(picture.Sharpness)
+            ? "no detail"
+            : $"sharpness {FlightText.Number(picture.Sharpness, "0.00")}";
+        return $"{FlightText.Number(picture.Detections)} detected, {sharpness}{exposure}{clipped}, levels "
+            + $"{FlightText.Number(picture.DarkLevel)} to {FlightText.Number(picture.BrightLevel)}";
+    }
+
     private static string Bearing(double north, double east)
     {
         double degrees = Math.Atan2(east, north) * 180 / Math.PI;

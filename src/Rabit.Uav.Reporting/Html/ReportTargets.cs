@@ -1,17 +1,17 @@
 using System;
 using System.Linq;
 using Rabit.Geodesy;
-using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
-using Rabit.Vision;
 
 namespace Rabit.Uav.Reporting.Html;
 
-/// <summary>A card for each target: its image chip, its track compared with the truth, and the figures.</summary>
+/// <summary>A card for each target: its pictures, its track compared with the truth, and the figures.</summary>
 internal sealed class ReportTargets(PageWriter page, FlightSummary data)
 {
     private const double PlotRadius = 66;
     private static readonly double[] PlotMetres = [1, 2, 3, 4, 5, 8, 10, 15, 20];
+
+    private readonly ReportPictures _pictures = new(page, data.Record);
 
     public void Write()
     {
@@ -110,17 +110,10 @@ internal sealed class ReportTargets(PageWriter page, FlightSummary data)
     private void WritePictures(TargetTrack track, TargetScore? target)
     {
         page.Open("div", "class", "pictures");
-        ImageChip? picture = data.Record.Pictures.FirstOrDefault(
-            c => c.PictureNumber == track.BestPictureNumber && c.ReportIndex == track.BestReportIndex);
-        if (picture is null)
-            page.Element("span", "no picture", "class", "none");
-        else
-            page.Empty(
-                "img", "src", DataUri.Of(new RgbPicture(picture.Width, picture.Height, picture.CopyPixels())), "alt",
-                $"What the camera saw of track {FlightText.Number(track.Id)}, picture "
-                    + $"{FlightText.Number(picture.PictureNumber)}");
+        _pictures.WriteBest(track);
         WritePlot(track, target);
         page.Close();
+        _pictures.WriteOthers(track);
     }
 
     // The truth, seen from the track: near enough to see what the map is too small for.

@@ -28,8 +28,11 @@ public sealed class FlightRecord
     /// <summary>Pictures that were searched, and the ground that they show; evenly spaced.</summary>
     public IReadOnlyList<CameraObservation> Observations { get; init; } = [];
 
-    /// <summary>The best image chip of each track.</summary>
+    /// <summary>The best image chips of each track, up to three.</summary>
     public IReadOnlyList<ImageChip> Pictures { get; init; } = [];
+
+    /// <summary>The whole pictures with the best report of each track, scaled down.</summary>
+    public IReadOnlyList<PictureOverview> Overviews { get; init; } = [];
 
     /// <summary>Changes of the mission's phase, oldest first.</summary>
     public IReadOnlyList<PhaseChange> Phases

@@ -84,7 +84,7 @@ public sealed class FlightRecorderManager : RabitManager
         _frames = Receive<LinkFrame>(FramesQueue, FramesWaiting, QueueFullMode.Reject, wakeOnPush: false);
         string[] managers = options.ManagerNames.ToArray();
         _managers = managers.Select(name => SubscribeToStatus(name)).ToArray();
-        _keeper = new RecordKeeper(managers, options.ImageChips ?? (() => []));
+        _keeper = new RecordKeeper(managers, options.ImageChips ?? (() => []), options.FindPictureOverview);
         WakeUpDelay = RecordPeriod;
     }
 

@@ -33,4 +33,11 @@ public sealed class FlightRecorderOptions
     /// </summary>
     /// <value>The default is null.</value>
     public Func<IReadOnlyList<ImageChip>>? ImageChips { get; set; }
+
+    /// <summary>
+    /// Returns a whole picture by its number, as <see cref="ImageProcessingManager.FindPictureOverview"/> does; null
+    /// for a record without them. Called on the recorder's thread.
+    /// </summary>
+    /// <value>The default is null.</value>
+    public Func<long, PictureOverview?>? FindPictureOverview { get; set; }
 }

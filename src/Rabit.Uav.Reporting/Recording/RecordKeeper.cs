@@ -12,7 +12,9 @@ namespace Rabit.Uav.Reporting;
 /// The lists behind a <see cref="FlightRecord"/>: written by the recorder's thread, read by any thread, under a lock
 /// of its own.
 /// </summary>
-internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IReadOnlyList<ImageChip>> imageChips)
+internal sealed class RecordKeeper(
+    IReadOnlyList<string> managerNames, Func<IReadOnlyList<ImageChip>> imageChips,
+    Func<long, PictureOverview?>? findOverview = null)
 {
     // At five a second an hour fits before every second one goes.
     private const int MaxSamples = 20_000;
@@ -29,7 +31,7 @@ internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IRea
     private readonly DecimatedSeries<ManagerSample>[] _managers =
         managerNames.Select(_ => new DecimatedSeries<ManagerSample>(MaxManagerSamples)).ToArray();
     private readonly List<PhaseChange> _phases = [];
-    private readonly TrackPictures _pictures = new(imageChips);
+    private readonly TrackPictures _pictures = new(imageChips, findOverview);
     private readonly List<HealthChange> _healthChanges = [];
     private readonly TelemetryRecorder _telemetry = new();
     private VehicleState _vehicle;
@@ -111,6 +113,7 @@ internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IRea
                 Authority = _authority,
                 Tracks = _tracks,
                 Pictures = _pictures.ToArray(),
+                Overviews = _pictures.OverviewsToArray(),
                 FlownMetres = _flownMetres,
                 ArmedTime = _armedTime,
                 MaxHeightAboveHomeMetres = _maxHeight,

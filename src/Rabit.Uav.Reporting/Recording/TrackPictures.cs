@@ -7,31 +7,68 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Reporting;
 
 /// <summary>
-/// The best picture of each track, kept while the manager still has it: the manager forgets the oldest, and on a long
-/// flight the best one of a track may be long gone at the end. One thread at a time.
+/// The best pictures of each track, kept while the manager still has them: the manager forgets the oldest, and on a
+/// long flight the best ones of a track may be long gone at the end. One thread at a time.
 /// </summary>
-internal sealed class TrackPictures(Func<IReadOnlyList<ImageChip>> imageChips)
+internal sealed class TrackPictures(
+    Func<IReadOnlyList<ImageChip>> imageChips, Func<long, PictureOverview?>? findOverview = null)
 {
-    private readonly Dictionary<int, ImageChip> _pictures = [];   // by the id of the track
-    private readonly Dictionary<int, (long Picture, int Report)> _best = [];
+    private readonly Dictionary<int, Kept> _kept = [];   // by the id of the track
 
-    /// <summary>Asks for the image chips only when the best picture of a track has become another one.</summary>
+    /// <summary>Asks for image chips only when the best pictures of a track have become others.</summary>
     public void Take(TrackList tracks)
     {
         IReadOnlyList<ImageChip>? chips = null;
         foreach (TargetTrack track in tracks.Tracks)
         {
-            (long Picture, int Report) best = (track.BestPictureNumber, track.BestReportIndex);
-            if (best.Picture < 0
-                || (_best.TryGetValue(track.Id, out (long Picture, int Report) known) && known == best))
+            if (track.BestPictureNumber < 0)
                 continue;
-            _best[track.Id] = best;
+            if (!_kept.TryGetValue(track.Id, out Kept? kept))
+                _kept[track.Id] = kept = new Kept();
+            if (!kept.Wants(track))
+                continue;
             chips ??= imageChips();
-            if (chips.FirstOrDefault(c => c.PictureNumber == best.Picture && c.ReportIndex == best.Report) is { } chip)
-                _pictures[track.Id] = chip;
+            kept.Take(track, chips, findOverview);
         }
     }
 
     /// <summary>Those of all tracks, also of the lost ones.</summary>
-    public IReadOnlyList<ImageChip> ToArray() => _pictures.Values.ToArray();
+    public IReadOnlyList<ImageChip> ToArray() => _kept.Values.SelectMany(k => k.Chips).ToArray();
+
+    /// <summary>The whole picture of the best report of each track.</summary>
+    public IReadOnlyList<PictureOverview> OverviewsToArray()
+        => _kept.Values.Select(k => k.Overview).OfType<PictureOverview>().ToArray();
+
+    private sealed class Kept
+    {
+        private TrackPicture[] _wanted = [];
+        private List<ImageChip> _chips = [];
+
+        public IReadOnlyList<ImageChip> Chips => _chips;
+
+        public PictureOverview? Overview { get; private set; }
+
+        public bool Wants(TargetTrack track) => !PicturesOf(track).SequenceEqual(_wanted);
+
+        public void Take(
+            TargetTrack track, IReadOnlyList<ImageChip> chips, Func<long, PictureOverview?>? findOverview)
+        {
+            bool isNewBest = _wanted.Length == 0 || _wanted[0].PictureNumber != track.BestPictureNumber;
+            _wanted = PicturesOf(track).ToArray();
+            _chips = _wanted.Select(w => Find(chips, w) ?? Find(_chips, w)).OfType<ImageChip>().ToList();
+            if (isNewBest)
+                Overview = findOverview?.Invoke(track.BestPictureNumber) ?? Overview;
+        }
+
+        private static IEnumerable<TrackPicture> PicturesOf(TargetTrack track)
+        {
+            yield return new TrackPicture(track.BestPictureNumber, track.BestReportIndex);
+            foreach (TrackPicture other in track.OtherPictures)
+                yield return other;
+        }
+
+        private static ImageChip? Find(IReadOnlyList<ImageChip> chips, TrackPicture wanted)
+            => chips.FirstOrDefault(c => c.PictureNumber == wanted.PictureNumber
+                && c.ReportIndex == wanted.ReportIndex);
+    }
 }

@@ -61,6 +61,7 @@ public sealed class ImageProcessingManager : RabitManager
     private readonly PoseHistory _poses;
     private readonly WaitingFrames _waiting;
     private readonly ImageChipBuffer _imageChips;
+    private readonly PictureOverviewBuffer _overviews;
     private readonly FrameNumbers _numbers = new();
     private readonly PictureWindow _window = new(QualityWindow, MaxQualityAge);
     private ImagingStatus _next;
@@ -98,6 +99,7 @@ public sealed class ImageProcessingManager : RabitManager
         _landingTarget = Publish<LandingTargetObservation>(MessageNames.LandingTarget);
         _waiting = new WaitingFrames(_options.FramesWaiting);
         _imageChips = new ImageChipBuffer(_options.MaxImageChips, _options.ImageChipSide);
+        _overviews = new PictureOverviewBuffer(_options.MaxPictureOverviews, _options.PictureOverviewWidth);
         WakeUpDelay = IdlePeriod;
     }
 
@@ -105,6 +107,13 @@ public sealed class ImageProcessingManager : RabitManager
     /// Parts of pictures around the newest reports, oldest first: a snapshot. Any thread, at any time.
     /// </summary>
     public IReadOnlyList<ImageChip> ImageChips => _imageChips.Kept;
+
+    /// <summary>
+    /// A whole picture in which something was reported, scaled down; null where it is no longer kept. Any thread, at
+    /// any time.
+    /// </summary>
+    /// <param name="pictureNumber">As <see cref="TargetReport.PictureNumber"/>.</param>
+    public PictureOverview? FindPictureOverview(long pictureNumber) => _overviews.Find(pictureNumber);
 
     /// <inheritdoc/>
     protected override void ExecuteUnitOfWork()
@@ -256,6 +265,7 @@ public sealed class ImageProcessingManager : RabitManager
     {
         string? refusal = _search!.Search(frame, pose, _command.Value, _ownAddress.Value.SystemId);
         _next.GroundSamplingMetres = _search.View.GroundSamplingMetres;
+        _next.LastPicture = _search.Facts;
         if (refusal is not null)
         {
             CountRefusal(_search.Quality, refusal, _search.IsByTilt);
@@ -270,6 +280,7 @@ public sealed class ImageProcessingManager : RabitManager
             _imageChips.Add(
                 report.PictureNumber, report.Index, frame.Pixels.Array, frame.Width, frame.Height, report.CentreX,
                 report.CentreY);
+        _overviews.Add(observation, frame.Pixels.Array, frame.Width, frame.Height);
         _next.LastObservation = observation;
         if (_observations.Push(observation) == PushResult.Rejected)
             _next.ReportsDropped += observation.Reports.Length;

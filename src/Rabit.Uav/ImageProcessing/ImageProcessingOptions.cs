@@ -122,6 +122,17 @@ public sealed class ImageProcessingOptions
     /// <value>The default is 200: 1.4 MB.</value>
     public int MaxImageChips { get; set; } = 200;
 
+    /// <summary>
+    /// How many whole pictures with reports are kept, scaled down, the newest:
+    /// <see cref="ImageProcessingManager.FindPictureOverview"/>. 0 to 1000.
+    /// </summary>
+    /// <value>The default is 12: 2.8 MB.</value>
+    public int MaxPictureOverviews { get; set; } = 12;
+
+    /// <summary>How wide they are at most, pixels, 16 to 4096.</summary>
+    /// <value>The default is 320.</value>
+    public int PictureOverviewWidth { get; set; } = 320;
+
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
     internal ImageProcessingOptions ValidatedCopy(bool hasCamera, string parameter)
     {
@@ -193,6 +204,11 @@ public sealed class ImageProcessingOptions
         if (ImageChipSide < 1 || MaxImageChips < 0)
             yield return $"{nameof(ImageChipSide)} is {ImageChipSide} and {nameof(MaxImageChips)} {MaxImageChips}; "
                 + "they must be at least 1 and 0";
+        if (MaxPictureOverviews is < 0 or > 1000 || PictureOverviewWidth is < 16 or > 4096)
+        {
+            yield return $"{nameof(MaxPictureOverviews)} is {MaxPictureOverviews} and {nameof(PictureOverviewWidth)} "
+                + $"{PictureOverviewWidth}; they must be 0 to 1000 and 16 to 4096";
+        }
     }
 
     private IEnumerable<string> FindFaultsInParts()

@@ -67,6 +67,9 @@ internal sealed class PictureSearch : IGroundScaleSource
     /// </summary>
     public bool IsByTilt { get; private set; }
 
+    /// <summary>What was measured of the last picture that was looked at.</summary>
+    public PictureFacts? Facts { get; private set; }
+
     /// <summary>How the last picture that shows the ground was taken.</summary>
     public PictureView View { get; private set; }
 
@@ -105,6 +108,8 @@ internal sealed class PictureSearch : IGroundScaleSource
         }
 
         PictureQuality quality = _judge.Judge(frame.Pixels.Array, frame.Width, frame.Height, View);
+        if (quality != PictureQuality.TooCoarse)
+            Facts = _judge.Describe(frame.Exposure);
         if (quality != PictureQuality.Usable)
         {
             Quality = quality;
@@ -117,6 +122,7 @@ internal sealed class PictureSearch : IGroundScaleSource
         Quality = PictureQuality.Usable;
         foreach (ref readonly TargetDetection detection in _detector.Found)
             Report(detection, frame, pose, command, systemId);
+        Facts = Facts!.Value with { Detections = _detector.Found.Length };
         _observation.SourceSystemId = systemId;
         _observation.Number = frame.Number;
         _observation.Time = pose.Time;
@@ -253,6 +259,8 @@ internal sealed class PictureSearch : IGroundScaleSource
             SizeMetres = side,
             CentreX = column,
             CentreY = row,
+            WidthPixels = detection.WidthPixels,
+            HeightPixels = detection.HeightPixels,
         };
         _reportCount++;
     }

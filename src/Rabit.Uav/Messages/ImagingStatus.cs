@@ -28,6 +28,11 @@ public struct ImagingStatus
     /// </summary>
     public CameraObservation LastObservation { get; set; }
 
+    /// <summary>
+    /// What was measured of the last picture that was good enough to be looked at; null before the first.
+    /// </summary>
+    public PictureFacts? LastPicture { get; set; }
+
     /// <summary>Pictures that were lost before they arrived, or had no room.</summary>
     public long FramesDropped { get; set; }
 

@@ -61,4 +61,10 @@ public struct TargetReport
 
     /// <summary>Centre in the picture, row, pixels; the centre of the top left pixel is 0.</summary>
     public double CentreY { get; set; }
+
+    /// <summary>Width of the box around it in the picture, pixels; 0 where another vehicle saw it.</summary>
+    public double WidthPixels { get; set; }
+
+    /// <summary>Height of that box, pixels.</summary>
+    public double HeightPixels { get; set; }
 }

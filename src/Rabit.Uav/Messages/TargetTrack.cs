@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Immutable;
 using Rabit.Geodesy;
 
 namespace Rabit.Uav.Messages;
@@ -61,4 +62,7 @@ public sealed class TargetTrack
 
     /// <summary>Which report of that picture.</summary>
     public int BestReportIndex { get; init; }
+
+    /// <summary>The reports with the second and the third best score, as far as there are.</summary>
+    public ImmutableArray<TrackPicture> OtherPictures { get; init; } = [];
 }

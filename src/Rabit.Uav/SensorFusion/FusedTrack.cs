@@ -9,7 +9,7 @@ internal sealed class FusedTrack
 {
     private double _sizeSum;
     private int _sizes;
-    private double _bestScore = double.NegativeInfinity;
+    private BestReports _best;
 
     public FusedTrack(int id, in LocatedReport report, SensorFusionOptions options)
     {
@@ -67,9 +67,9 @@ internal sealed class FusedTrack
     /// <summary>When a report of it last went out to others; null before the first.</summary>
     public TimeSpan? SharedTime { get; set; }
 
-    public long BestPictureNumber { get; private set; } = -1;
+    public long BestPictureNumber => _best.PictureNumber;
 
-    public int BestReportIndex { get; private set; }
+    public int BestReportIndex => _best.ReportIndex;
 
     /// <summary>How uncertain it is: random and systematic part.</summary>
     public HorizontalCovariance Covariance => Filter.PositionCovariance + Systematic;
@@ -120,9 +120,7 @@ internal sealed class FusedTrack
         Reports += other.Reports;
         _sizeSum += other._sizeSum;
         _sizes += other._sizes;
-        if (other._bestScore > _bestScore)
-            (_bestScore, BestPictureNumber, BestReportIndex) =
-                (other._bestScore, other.BestPictureNumber, other.BestReportIndex);
+        _best.Add(other._best);
         if (Decision == TargetDecision.None && other.Decision != TargetDecision.None)
             Decide(other.Decision);
         else if (other.State == TrackState.Confirmed && Decision == TargetDecision.None)
@@ -154,6 +152,7 @@ internal sealed class FusedTrack
         SizeMetres = _sizeSum / _sizes,
         BestPictureNumber = BestPictureNumber,
         BestReportIndex = BestReportIndex,
+        OtherPictures = _best.Others,
     };
 
     /// <summary>
@@ -173,9 +172,8 @@ internal sealed class FusedTrack
         _sizes++;
 
         // Only pictures of our own can be shown.
-        if (report.IsOwn && report.Report.Score > _bestScore)
-            (_bestScore, BestPictureNumber, BestReportIndex) =
-                (report.Report.Score, report.Report.PictureNumber, report.Report.Index);
+        if (report.IsOwn)
+            _best.Add(report.Report.Score, new TrackPicture(report.Report.PictureNumber, report.Report.Index));
     }
 
     private static HorizontalCovariance Larger(HorizontalCovariance a, HorizontalCovariance b)

@@ -23,7 +23,12 @@ public sealed class HtmlReportTests
         Assert.Contains("Mission accomplished", Words(document));
         Assert.Contains("5 of 5 targets found", Words(document));
         Assert.Equal(5, document.Descendants(Html + "article").Count());
-        Assert.Equal(5, document.Descendants(Html + "img").Count());
+        Assert.Equal(5 * 4, document.Descendants(Html + "img").Count());   // three image chips and the whole picture
+        Assert.Equal(
+            ["box", "box other"],
+            document.Descendants(Html + "i").Select(i => i.Attribute("class")!.Value)
+                .Where(c => c.StartsWith("box", StringComparison.Ordinal)).Distinct());
+        Assert.Contains("left:40%;top:50%;width:5%;height:8%", page);
         Assert.Contains("UavConsole --seed 7 --targets 5", Words(document));
     }
 

@@ -154,6 +154,28 @@ public sealed class FlightRecorderManagerTests : IDisposable
     }
 
     [Fact]
+    public void Pictures_ThreeBestAndTheWholeOne_AreKeptOfEachTrack()
+    {
+        List<ImageChip> chips = [PictureOf(1), PictureOf(2), PictureOf(3)];
+        var asked = new List<long>();
+        var pictures = new TrackPictures(() => chips, number =>
+        {
+            asked.Add(number);
+            return number == 4 ? null : new PictureOverview(number, 1, 1, new byte[3], []);
+        });
+        pictures.Take(new TrackList(TimeSpan.Zero, [TrackWith(1)]));
+        pictures.Take(new TrackList(TimeSpan.Zero, [TrackWith(2, 1)]));
+        pictures.Take(new TrackList(TimeSpan.Zero, [TrackWith(2, 1, 3)]));
+        chips = [PictureOf(4)];
+        pictures.Take(new TrackList(TimeSpan.Zero, [TrackWith(2, 4, 1)]));
+        pictures.Take(new TrackList(TimeSpan.Zero, [TrackWith(2, 4, 1)]));
+
+        Assert.Equal([2L, 4, 1], pictures.ToArray().Select(c => c.PictureNumber));
+        Assert.Equal(2, Assert.Single(pictures.OverviewsToArray()).PictureNumber);
+        Assert.Equal([1L, 2], asked);
+    }
+
+    [Fact]
     public void DecimatedSeries_LongerThanItsCapacity_KeepsEvenlySpacedItems()
     {
         var list = new DecimatedSeries<int>(100);
@@ -202,6 +224,13 @@ public sealed class FlightRecorderManagerTests : IDisposable
     }
 
     private static ImageChip PictureOf(long picture) => new(picture, 0, 1, 1, new byte[3]);
+
+    private static TargetTrack TrackWith(long best, params long[] others) => new()
+    {
+        Id = 1,
+        BestPictureNumber = best,
+        OtherPictures = [.. others.Select(o => new TrackPicture(o, 0))],
+    };
 
     private static TrackList TracksOf(params (int Id, long Picture)[] tracks)
         => new(TimeSpan.Zero, tracks.Select(t => new TargetTrack { Id = t.Id, BestPictureNumber = t.Picture }));

@@ -92,7 +92,21 @@ internal sealed class MissionScreen
         Satellites = 14,
     };
 
-    private static ImagingStatus Camera() => new() { HasCamera = true, UsableShare = 0.96, Frames = 120 };
+    private static ImagingStatus Camera() => new()
+    {
+        HasCamera = true,
+        UsableShare = 0.96,
+        Frames = 120,
+        LastPicture = new PictureFacts
+        {
+            Exposure = TimeSpan.FromMilliseconds(2),
+            DarkLevel = 61,
+            BrightLevel = 182,
+            ClippedShare = 0.031,
+            Sharpness = 0.34,
+            Detections = 2,
+        },
+    };
 
     private static TargetTrack Track(int id, TargetClassName colour) => new()
     {

@@ -84,6 +84,17 @@ internal sealed class PictureJudge
         return quality;
     }
 
+    /// <summary>What was measured of the last picture, for people.</summary>
+    /// <param name="exposure">Of that picture.</param>
+    public PictureFacts Describe(TimeSpan exposure) => new()
+    {
+        Exposure = exposure,
+        DarkLevel = Statistics.DarkLevel,
+        BrightLevel = Statistics.BrightLevel,
+        ClippedShare = Statistics.ClippedShare,
+        Sharpness = Statistics.CoarseDetail > 0 ? SharpnessOf(Statistics) : double.NaN,
+    };
+
     private static PictureQuality JudgeLight(in PictureStatistics picture)
         => picture.BrightLevel < MaxBlackLevel ? PictureQuality.Black
             : picture.DarkLevel > MinWhiteLevel ? PictureQuality.White

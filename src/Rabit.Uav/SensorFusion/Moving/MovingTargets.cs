@@ -143,6 +143,7 @@ internal sealed class MovingTargets
             SizeMetres = description.SizeMetres,
             BestPictureNumber = description.BestPictureNumber,
             BestReportIndex = description.BestReportIndex,
+            OtherPictures = description.OtherPictures,
         };
     }
 

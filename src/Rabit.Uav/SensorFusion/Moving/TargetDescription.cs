@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Immutable;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.SensorFusion.Moving;
@@ -8,7 +9,7 @@ internal sealed class TargetDescription
 {
     private double _sizeSum;
     private int _sizes;
-    private double _bestScore;
+    private BestReports _best;
 
     /// <summary>Mean of the reports, metres.</summary>
     public double SizeMetres => _sizes == 0 ? 0 : _sizeSum / _sizes;
@@ -16,9 +17,11 @@ internal sealed class TargetDescription
     /// <summary>Of the ground that it stands on, metres below the origin, as the newest report says.</summary>
     public double Down { get; private set; }
 
-    public long BestPictureNumber { get; private set; }
+    public long BestPictureNumber => _best.PictureNumber;
 
-    public int BestReportIndex { get; private set; }
+    public int BestReportIndex => _best.ReportIndex;
+
+    public ImmutableArray<TrackPicture> OtherPictures => _best.Others;
 
     /// <summary>When a report of it last went out to others; null before the first.</summary>
     public TimeSpan? SharedTime { get; set; }
@@ -28,8 +31,8 @@ internal sealed class TargetDescription
 
     public void Clear()
     {
-        (_sizeSum, _sizes, _bestScore) = (0, 0, double.NegativeInfinity);
-        (Down, BestPictureNumber, BestReportIndex) = (0, -1, 0);
+        (_sizeSum, _sizes, _best) = (0, 0, default);
+        Down = 0;
         (SharedTime, Decision) = (null, TargetDecision.None);
     }
 
@@ -40,8 +43,7 @@ internal sealed class TargetDescription
         _sizes++;
 
         // Only pictures of our own can be shown.
-        if (report.IsOwn && report.Report.Score > _bestScore)
-            (_bestScore, BestPictureNumber, BestReportIndex) =
-                (report.Report.Score, report.Report.PictureNumber, report.Report.Index);
+        if (report.IsOwn)
+            _best.Add(report.Report.Score, new TrackPicture(report.Report.PictureNumber, report.Report.Index));
     }
 }

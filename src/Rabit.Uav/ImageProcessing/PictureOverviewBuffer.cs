@@ -1,0 +1,101 @@
+using System;
+using System.Collections.Immutable;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.ImageProcessing;
+
+/// <summary>
+/// The newest pictures with reports, scaled down, a bounded number. Image Processing adds, and allocates nothing once
+/// all places are in use; any thread asks for one. As <see cref="ImageChipBuffer"/> it is for displays.
+/// </summary>
+internal sealed class PictureOverviewBuffer(int capacity, int maxWidth)
+{
+    private readonly object _gate = new();
+    private readonly Kept?[] _ring = new Kept?[capacity];   // under _gate
+    private long _count;                                    // under _gate
+
+    /// <summary>Keeps a picture, if there are reports in it.</summary>
+    public void Add(in CameraObservation observation, byte[] picture, int width, int height)
+    {
+        if (capacity == 0 || observation.Reports.IsEmpty)
+            return;
+        int scale = ((width - 1) / maxWidth) + 1;
+        lock (_gate)
+        {
+            ref Kept? kept = ref _ring[_count++ % capacity];
+            if (kept?.Fits(width / scale, height / scale) != true)
+                kept = new Kept(width / scale, height / scale);
+            kept.Set(observation, picture, width, height, scale);
+        }
+    }
+
+    /// <summary>The picture of a number; null where it is no longer, or never was, kept.</summary>
+    public PictureOverview? Find(long number)
+    {
+        lock (_gate)
+        {
+            for (long i = _count - 1; i >= 0 && i >= _count - capacity; i--)
+            {
+                if (_ring[i % capacity] is { } kept && kept.Number == number)
+                    return kept.Copy();
+            }
+        }
+
+        return null;
+    }
+
+    private sealed class Kept(int width, int height)
+    {
+        private readonly byte[] _pixels = new byte[width * height * 3];
+        private ImmutableArray<TargetReport> _reports = [];
+        private int _pictureWidth;
+        private int _pictureHeight;
+
+        public long Number { get; private set; }
+
+        public bool Fits(int columns, int rows) => columns == width && rows == height;
+
+        public void Set(
+            in CameraObservation observation, byte[] picture, int pictureWidth, int pictureHeight, int scale)
+        {
+            (Number, _reports) = (observation.Number, observation.Reports);
+            (_pictureWidth, _pictureHeight) = (pictureWidth, pictureHeight);
+            int to = 0;
+            for (int row = 0; row < height; row++)
+            {
+                for (int column = 0; column < width; column++)
+                {
+                    int from = ((row * scale * pictureWidth) + (column * scale)) * 3;
+                    for (int channel = 0; channel < 3; channel++)
+                        _pixels[to++] = MeanOf(picture, from + channel, pictureWidth * 3, scale);
+                }
+            }
+        }
+
+        public PictureOverview Copy()
+        {
+            var boxes = new PictureBox[_reports.Length];
+            for (int i = 0; i < boxes.Length; i++)
+                boxes[i] = BoxOf(_reports[i]);
+            return new PictureOverview(Number, width, height, (byte[])_pixels.Clone(), boxes);
+        }
+
+        private static byte MeanOf(byte[] picture, int first, int stride, int scale)
+        {
+            int sum = 0;
+            for (int row = 0; row < scale; row++)
+            {
+                for (int column = 0; column < scale; column++)
+                    sum += picture[first + (row * stride) + (column * 3)];
+            }
+
+            return (byte)(sum / (scale * scale));
+        }
+
+        // The centre of the first pixel is 0, its border half a pixel before it.
+        private PictureBox BoxOf(in TargetReport report) => new(
+            report.Index, (report.CentreX + 0.5 - (report.WidthPixels / 2)) / _pictureWidth,
+            (report.CentreY + 0.5 - (report.HeightPixels / 2)) / _pictureHeight, report.WidthPixels / _pictureWidth,
+            report.HeightPixels / _pictureHeight);
+    }
+}
