@@ -6,6 +6,7 @@ using Rabit.Latency.Calls;
 using Rabit.Latency.Contention;
 using Rabit.Latency.Forwarding;
 using Rabit.Latency.Idle;
+using Rabit.Latency.Inversion;
 using Rabit.Latency.Periods;
 using Rabit.Latency.PingPong;
 using Rabit.Latency.Reporting;
@@ -35,6 +36,7 @@ internal static class Runner
         ("pingpong", options => [PingPongMode.OnOneCpu(options), PingPongMode.OnTwoCpus(options)]),
         ("period", PeriodMode.Run),
         ("realtime", options => [RealTimeMode.Run(options)]),
+        ("inversion", options => [InversionMode.Run(options)]),
         ("idle", IdleMode.Run),
         ("throughput", ThroughputMode.Run),
         ("contention", ContentionMode.Run),

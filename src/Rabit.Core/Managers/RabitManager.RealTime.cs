@@ -35,6 +35,7 @@ public abstract partial class RabitManager
             throw new InvalidOperationException(
                 $"Manager '{Name}' has started: real time can be requested in its constructor only.");
         RealTimeRequest = request.Copy();
+        _owner.HasPriority = request.Priority is not null;
     }
 
     /// <summary>

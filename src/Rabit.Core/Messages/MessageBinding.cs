@@ -92,17 +92,19 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
         T initial = default!;
         int publishers = 0;
         bool areManagers = true;
+        bool inheritsPriority = false;
         foreach (EndpointDeclaration endpoint in endpoints)
         {
             if (endpoint.StatesInitial)
                 initial = ((MessageBinding<T>)endpoint).Initial;
+            inheritsPriority |= endpoint.Owner.HasPriority;
             if (endpoint.Role != EndpointRole.Publish)
                 continue;
             publishers++;
             areManagers &= endpoint.Owner.IsManager;
         }
 
-        var place = new MessagePlace(Name, clock, log);
+        var place = new MessagePlace(Name, clock, log, inheritsPriority);
         if (IsSelfCopying && initial is not null)
             return new SharedObject<T>(place, initial);
         return new SharedValue<T>(place, initial, isAlone: publishers == 1 && areManagers);

@@ -6,4 +6,8 @@ using Rabit.Core.Time;
 namespace Rabit.Core.Messages;
 
 /// <summary>What every message has, whatever its type.</summary>
-internal sealed record MessagePlace(string Name, RunClock Clock, RabitLog Log);
+/// <param name="Name">The name.</param>
+/// <param name="Clock">The clock of the run.</param>
+/// <param name="Log">The log of the run.</param>
+/// <param name="InheritsPriority">Whether managers of a real-time priority use it.</param>
+internal sealed record MessagePlace(string Name, RunClock Clock, RabitLog Log, bool InheritsPriority = false);

@@ -1,5 +1,6 @@
 using System;
 using Rabit.Core.Diagnostics;
+using Rabit.Core.Locks;
 using Rabit.Core.Wiring;
 
 namespace Rabit.Core.Messages;
@@ -14,7 +15,7 @@ namespace Rabit.Core.Messages;
 /// </remarks>
 internal sealed class SharedObject<T> : SharedMessage<T>
 {
-    private readonly object _gate = new();
+    private readonly EndpointLock _gate;
     private readonly T _initial;
     private T _latest;        // both under _gate, and what they refer to
     private T _spare;
@@ -24,6 +25,7 @@ internal sealed class SharedObject<T> : SharedMessage<T>
     public SharedObject(MessagePlace place, T initial)
         : base(place, firstVersion: 0)
     {
+        _gate = new EndpointLock(place.InheritsPriority);
         _initial = CloneOf(initial);
         _latest = CloneOf(initial);
         _spare = CloneOf(initial);
@@ -31,13 +33,13 @@ internal sealed class SharedObject<T> : SharedMessage<T>
 
     public override LocalCopy<T> CreateCopy()
     {
-        lock (_gate)
+        using (_gate.Enter())
             return new LocalCopy<T>(CloneOf(_initial)) { Spare = CloneOf(_initial) };
     }
 
     public override MessageStamp ReadStamp()
     {
-        lock (_gate)
+        using (_gate.Enter())
             return new MessageStamp(Version, _time);
     }
 
@@ -45,7 +47,7 @@ internal sealed class SharedObject<T> : SharedMessage<T>
     {
         if (ReferenceEquals(value, copy.Value))
             return;
-        lock (_gate)
+        using (_gate.Enter())
         {
             Copy(value, copy.Spare, "posted");
             (copy.Value, copy.Spare) = (copy.Spare, copy.Value);
@@ -54,7 +56,7 @@ internal sealed class SharedObject<T> : SharedMessage<T>
 
     protected override int Store(LocalCopy<T> copy, TimeSpan time)
     {
-        lock (_gate)
+        using (_gate.Enter())
         {
             Copy(copy.Value, _spare, "posted");
             (_latest, _spare) = (_spare, _latest);
@@ -67,7 +69,7 @@ internal sealed class SharedObject<T> : SharedMessage<T>
 
     protected override int Load(LocalCopy<T> copy)
     {
-        lock (_gate)
+        using (_gate.Enter())
         {
             Copy(_latest, copy.Spare, "fetched");
             (copy.Value, copy.Spare) = (copy.Spare, copy.Value);

@@ -1,5 +1,6 @@
 using System;
 using System.Threading;
+using Rabit.Core.Locks;
 
 namespace Rabit.Core.Messages;
 
@@ -44,7 +45,7 @@ namespace Rabit.Core.Messages;
 /// </remarks>
 internal sealed class SharedValue<T> : SharedMessage<T>
 {
-    private readonly object _gate = new();
+    private readonly EndpointLock _gate;
     // written by the poster, who is alone or holds _gate; read by all, valid only after Begun was compared
     private readonly Slot[] _slots;
     private readonly T _initial;
@@ -62,6 +63,7 @@ internal sealed class SharedValue<T> : SharedMessage<T>
     public SharedValue(MessagePlace place, T initial, bool isAlone, int version = 0, int tries = OptimisticRead.Tries)
         : base(place, version)
     {
+        _gate = new EndpointLock(place.InheritsPriority);
         _initial = initial;
         _tries = tries;
         _isAlone = isAlone && tries > 0;
@@ -82,7 +84,7 @@ internal sealed class SharedValue<T> : SharedMessage<T>
         }
 
         // As LoadLocked.
-        lock (_gate)
+        using (_gate.Enter())
         {
             if (_tries == 0)
                 return new MessageStamp(Version, SlotOf(Version).Time);
@@ -102,7 +104,7 @@ internal sealed class SharedValue<T> : SharedMessage<T>
     {
         if (_isAlone && !Volatile.Read(ref _starvedReaders))
             return Write(copy, time);
-        lock (_gate)
+        using (_gate.Enter())
             return Write(copy, time);
     }
 
@@ -119,7 +121,7 @@ internal sealed class SharedValue<T> : SharedMessage<T>
 
     private int LoadLocked(LocalCopy<T> copy)
     {
-        lock (_gate)
+        using (_gate.Enter())
         {
             int version;
             if (_tries == 0)

@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using Rabit.Core.Wiring;
 
 namespace Rabit.Core.Queues;
 
@@ -16,4 +18,7 @@ internal interface IQueueDeclaration
 
     /// <summary>When the run is over: disposes such a value, where its type is disposable.</summary>
     void DisposeHeld();
+
+    /// <summary>Whether the queue that these declare has a lock.</summary>
+    bool NeedsLock(IReadOnlyList<EndpointDeclaration> endpoints);
 }

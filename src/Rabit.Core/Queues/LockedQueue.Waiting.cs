@@ -32,7 +32,7 @@ internal sealed partial class LockedQueue<T> : ITimeLimitedQueue
     public bool TryPushOrWait(in T value, WakeUpEvent reader)
     {
         var announcement = default(Announcement);
-        lock (_gate)
+        using (_gate.Enter())
         {
             if (_count == _ring.Length || _isClosed)
             {
@@ -52,7 +52,7 @@ internal sealed partial class LockedQueue<T> : ITimeLimitedQueue
     /// <summary>A reader has waited for too long.</summary>
     public void GiveUp()
     {
-        lock (_gate)
+        using (_gate.Enter())
         {
             _waitingReader = null;
             _rejected++;
@@ -73,7 +73,7 @@ internal sealed partial class LockedQueue<T> : ITimeLimitedQueue
         PushResult result = PushResult.Queued;
         PendingPush<T>? pending = null;
         var announcement = default(Announcement);
-        lock (_gate)
+        using (_gate.Enter())
         {
             if (HasRoom || _isClosed)
                 result = Admit(value, ref announcement);
@@ -91,7 +91,7 @@ internal sealed partial class LockedQueue<T> : ITimeLimitedQueue
     public ValueTask<bool> WaitForRoomAsync(CancellationToken cancellation)
     {
         TaskCompletionSource<bool> waiter;
-        lock (_gate)
+        using (_gate.Enter())
         {
             if (_isClosed || Drops || HasRoom)
                 return new ValueTask<bool>(!_isClosed);
@@ -106,7 +106,7 @@ internal sealed partial class LockedQueue<T> : ITimeLimitedQueue
     public ValueTask<bool> WaitForNewsAsync(CancellationToken cancellation)
     {
         TaskCompletionSource<bool> waiter;
-        lock (_gate)
+        using (_gate.Enter())
         {
             if (_isClosed || _count > 0)
                 return new ValueTask<bool>(_count > 0);
@@ -121,7 +121,7 @@ internal sealed partial class LockedQueue<T> : ITimeLimitedQueue
     {
         List<PendingPush<T>>? expired = null;
         TimeSpan next = TimeSpan.MaxValue;
-        lock (_gate)
+        using (_gate.Enter())
         {
             foreach (PendingPush<T> pending in _pending ?? [])
             {
@@ -165,7 +165,7 @@ internal sealed partial class LockedQueue<T> : ITimeLimitedQueue
     {
         if (!pending.TryClaim())
             return;
-        lock (_gate)
+        using (_gate.Enter())
             ForgetEnded();
         pending.TrySetCanceled(cancellation);
     }
@@ -187,7 +187,7 @@ internal sealed partial class LockedQueue<T> : ITimeLimitedQueue
         PendingPush<T>? admitted = null;
         var announcement = default(Announcement);
         bool drained;
-        lock (_gate)
+        using (_gate.Enter())
         {
             reader = _waitingReader;
             _waitingReader = null;
@@ -218,7 +218,7 @@ internal sealed partial class LockedQueue<T> : ITimeLimitedQueue
         AsyncWaiters? room;
         AsyncWaiters? news;
         bool drained;
-        lock (_gate)
+        using (_gate.Enter())
         {
             _isClosed = true;
             _hasWaiters = true;   // for the end of what is left

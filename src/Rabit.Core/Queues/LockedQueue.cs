@@ -2,6 +2,7 @@ using System;
 using System.Diagnostics.CodeAnalysis;
 using System.Threading;
 using Rabit.Core.Diagnostics;
+using Rabit.Core.Locks;
 using Rabit.Core.Time;
 using Rabit.Core.WakeUp;
 
@@ -19,10 +20,10 @@ namespace Rabit.Core.Queues;
 /// </remarks>
 internal sealed partial class LockedQueue<T>(
     string name, int capacity, QueueFullMode fullMode, WakeUpEvent? receiverWakeUp, TimeSpan? maxWait, RunClock clock,
-    RabitLog log)
+    RabitLog log, bool inheritsPriority = false)
     : MessageQueue<T>(name, capacity, fullMode, receiverWakeUp, maxWait)
 {
-    private readonly object _gate = new();
+    private readonly EndpointLock _gate = new(inheritsPriority);
     private readonly T[] _ring = new T[capacity];
 
     // All under _gate.
@@ -39,7 +40,7 @@ internal sealed partial class LockedQueue<T>(
     {
         get
         {
-            lock (_gate)
+            using (_gate.Enter())
                 return _count;
         }
     }
@@ -48,7 +49,7 @@ internal sealed partial class LockedQueue<T>(
     {
         get
         {
-            lock (_gate)
+            using (_gate.Enter())
                 return new QueueCounters(_pushed, _popped, _dropped, _rejected, _count, _highWater, Capacity);
         }
     }
@@ -59,7 +60,7 @@ internal sealed partial class LockedQueue<T>(
             return PushAndDispose(value);
         PushResult result;
         var announcement = default(Announcement);
-        lock (_gate)
+        using (_gate.Enter())
             result = Admit(value, ref announcement);
         Announce(announcement);
         return result;
@@ -79,7 +80,7 @@ internal sealed partial class LockedQueue<T>(
             return pushed;
         }
 
-        lock (_gate)
+        using (_gate.Enter())
         {
             while (pushed < values.Length && Admit(values[pushed], ref announcement) != PushResult.Rejected)
                 pushed++;
@@ -94,7 +95,7 @@ internal sealed partial class LockedQueue<T>(
     public override bool TryPop([MaybeNullWhen(false)] out T value)
     {
         bool serves;
-        lock (_gate)
+        using (_gate.Enter())
         {
             if (_count == 0)
             {
@@ -118,7 +119,7 @@ internal sealed partial class LockedQueue<T>(
     {
         int popped = 0;
         bool serves;
-        lock (_gate)
+        using (_gate.Enter())
         {
             serves = _hasWaiters;
             while (!serves && popped < target.Length && _count > 0)
@@ -146,7 +147,7 @@ internal sealed partial class LockedQueue<T>(
 
     private bool TryDropOldest(out T value)
     {
-        lock (_gate)
+        using (_gate.Enter())
         {
             if (_count == 0)
             {
@@ -166,7 +167,7 @@ internal sealed partial class LockedQueue<T>(
         PushResult result;
         T dropped = default!;
         var announcement = default(Announcement);
-        lock (_gate)
+        using (_gate.Enter())
         {
             if (_count == _ring.Length)
                 dropped = _ring[FullMode == QueueFullMode.DropOldest ? _head : Place(_count - 1)];
@@ -215,7 +216,7 @@ internal sealed partial class LockedQueue<T>(
 
     private void CountRejected(int more)
     {
-        lock (_gate)
+        using (_gate.Enter())
             _rejected += more;
     }
 

@@ -99,22 +99,34 @@ internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, st
     public override IConnector CreateConnector(
         IReadOnlyList<EndpointDeclaration> endpoints, RunClock clock, RabitLog log)
     {
-        var receiver = (QueueBinding<T>)endpoints.First(e => e.Role == EndpointRole.Receive);
+        QueueBinding<T> receiver = ReceiverOf(endpoints);
         WakeUpEvent? wakeUp = receiver.Wakes ? receiver.Owner.WakeUp : null;
+        if (NeedsLock(endpoints))
+        {
+            return new LockedQueue<T>(
+                Name, receiver.Capacity, receiver.FullMode, wakeUp, receiver.MaxWait, clock, log,
+                inheritsPriority: endpoints.Any(e => e.Owner.HasPriority));
+        }
 
-        // Lock-free where that is proved and pays; the other rules change more than one place at once, or have waiters.
-        // Disposable values are taken out by two threads: the receiver, and the one that closes the queue.
-        bool needsNoLock = receiver.FullMode == QueueFullMode.Reject && !Discarded<T>.Matters
-            && !receiver.Owner.IsOutside
-            && !endpoints.Any(e => ((QueueBinding<T>)e).IsChannel);
         EndpointOwner[] senders = endpoints.Where(e => e.Role == EndpointRole.Send).Select(e => e.Owner)
             .Distinct().ToArray();
-        if (needsNoLock && senders.Length == 1 && !senders[0].IsOutside)
-            return new SingleProducerRing<T>(Name, receiver.Capacity, wakeUp);
-        if (needsNoLock)
-            return new MultiProducerRing<T>(Name, receiver.Capacity, wakeUp);
-        return new LockedQueue<T>(Name, receiver.Capacity, receiver.FullMode, wakeUp, receiver.MaxWait, clock, log);
+        return senders.Length == 1 && !senders[0].IsOutside
+            ? new SingleProducerRing<T>(Name, receiver.Capacity, wakeUp)
+            : new MultiProducerRing<T>(Name, receiver.Capacity, wakeUp);
     }
+
+    /// <inheritdoc/>
+    public bool NeedsLock(IReadOnlyList<EndpointDeclaration> endpoints)
+    {
+        // Lock-free where that is proved and pays; the other rules change more than one place at once, or have waiters.
+        // Disposable values are taken out by two threads: the receiver, and the one that closes the queue.
+        QueueBinding<T> receiver = ReceiverOf(endpoints);
+        return receiver.FullMode != QueueFullMode.Reject || Discarded<T>.Matters || receiver.Owner.IsOutside
+            || endpoints.Any(e => ((QueueBinding<T>)e).IsChannel);
+    }
+
+    private static QueueBinding<T> ReceiverOf(IReadOnlyList<EndpointDeclaration> endpoints)
+        => (QueueBinding<T>)endpoints.First(e => e.Role == EndpointRole.Receive);
 
     public override void Watch(IConnector connector, EventLog events) => events.Watch((IMessageQueue)connector);
 

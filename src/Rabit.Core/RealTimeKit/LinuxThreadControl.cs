@@ -21,7 +21,6 @@ internal sealed unsafe class LinuxThreadControl : IThreadControl
     private const int WordsOfCpus = 16;                // 1024 CPUs
     private const int BitsPerWord = 64;
     private const string ThrottleFile = "/proc/sys/kernel/sched_rt_runtime_us";
-    private const int NoSuchCall = 38;                 // ENOSYS
 
     // The number of sched_setscheduler (asm/unistd.h).
     private static readonly long SetScheduler = RuntimeInformation.ProcessArchitecture switch
@@ -73,7 +72,7 @@ internal sealed unsafe class LinuxThreadControl : IThreadControl
     public int SetPriority(RealTimePolicy policy, int priority)
     {
         if (SetScheduler < 0)
-            return NoSuchCall;
+            return SystemErrors.NoSuchCall;
         int parameter = priority;   // struct sched_param has this one member
         var number = new IntPtr((policy == RealTimePolicy.Fifo ? 1 : 2) | ResetOnFork);   // SCHED_FIFO, SCHED_RR
         return ErrorOf((long)syscall(new IntPtr(SetScheduler), IntPtr.Zero, number, &parameter));

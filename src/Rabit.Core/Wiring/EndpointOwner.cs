@@ -16,4 +16,7 @@ internal sealed class EndpointOwner(string name, bool isManager, WakeUpEvent? wa
     public bool IsOutside => !IsManager && WakeUp is null;
 
     public WakeUpEvent? WakeUp { get; } = wakeUp;
+
+    /// <summary>Whether it has asked for a real-time priority. Set before anything is wired.</summary>
+    public bool HasPriority { get; set; }
 }

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using System.Text;
+using Rabit.Core.Locks;
 using Rabit.Core.Queues;
 
 namespace Rabit.Core.Wiring;
@@ -52,8 +53,28 @@ internal static class WiringText
             in wiring.Queues.Values.Where(q => q.All(e => e.Role == EndpointRole.Receive)))
             yield return $"no sender for queue '{endpoints[0].Name}' of '{endpoints[0].Owner.Name}'";
 
+        foreach (IReadOnlyList<EndpointDeclaration> endpoints in wiring.Queues.Values)
+        {
+            if (NoteOfLock(endpoints) is { } note)
+                yield return note;
+        }
+
         foreach (string note in wiring.Notes)
             yield return note;
+    }
+
+    // A manager of a real-time priority that may find a queue locked by another.
+    private static string? NoteOfLock(IReadOnlyList<EndpointDeclaration> endpoints)
+    {
+        EndpointOwner? manager = endpoints.Select(e => e.Owner).FirstOrDefault(o => o.HasPriority);
+        var queue = (IQueueDeclaration)endpoints.First(e => e.Role == EndpointRole.Receive);
+        if (manager is null || endpoints.All(e => e.Owner == manager) || !queue.NeedsLock(endpoints))
+            return null;
+        string forHowLong = PriorityInheritanceMutex.IsThere
+            ? "for as long as others take to copy what is ahead; who holds the lock has that priority meanwhile"
+            : "for as long as threads of priorities in between run: this system has no lock that passes a priority on";
+        return $"manager '{manager.Name}' of a real-time priority may wait for the lock of queue '{endpoints[0].Name}', "
+            + forHowLong;
     }
 
     private static bool IsUnreadStatus(IReadOnlyList<EndpointDeclaration> endpoints) => endpoints.All(e => e.IsBuiltIn);

@@ -1,0 +1,49 @@
+using System;
+using System.Linq;
+using Rabit.Core;
+using Rabit.Latency.Measuring;
+using Rabit.Latency.Native;
+
+namespace Rabit.Latency.Inversion;
+
+/// <summary>Three managers of three priorities on one CPU, which are there only while they are measured.</summary>
+internal sealed class InversionRun(EndpointCall highest, EndpointCall lowest, TimeSpan work)
+{
+    private const int Lowest = 5;
+    private const int Middle = 10;
+    private const int Highest = 20;
+    private const int WarmUpCalls = 200;
+    private const double NanosecondsPerMicrosecond = 1000;
+
+    /// <summary>Whether the machine grants such priorities; without them nothing is shown.</summary>
+    public static bool HasPriorities()
+    {
+        using var manager = new HighestManager(Highest, Cpus.One, EndpointCall.PostAlone);
+        RabitReactor reactor = RabitRun.Create(WaitEngine.Best);
+        reactor.Add(manager);
+        reactor.Start();
+        RabitRun.End(reactor);
+        return manager.RealTimeReport.Grants.All(g => g.IsGranted);
+    }
+
+    /// <returns>The median, 99.9 % and the longest of so many calls, in microseconds.</returns>
+    public double[] Measure(int calls)
+    {
+        int cpu = Cpus.One;
+        using var calling = new HighestManager(Highest, cpu, highest);
+        RabitReactor reactor = RabitRun.Create(WaitEngine.Best);
+        reactor.Add(new LowestManager(Lowest, cpu, lowest));
+        reactor.Add(new ComputingManager(Middle, cpu, work, receives: highest == EndpointCall.PushDropping));
+        reactor.Add(calling);
+        reactor.Start();
+        calling.Measure(WarmUpCalls);
+        LatencyHistogram durations = calling.Measure(calls);
+        RabitRun.End(reactor);
+        return
+        [
+            durations.Percentile(0.5) / NanosecondsPerMicrosecond,
+            durations.Percentile(0.999) / NanosecondsPerMicrosecond,
+            durations.Max / NanosecondsPerMicrosecond,
+        ];
+    }
+}
