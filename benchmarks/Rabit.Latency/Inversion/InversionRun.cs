@@ -18,7 +18,7 @@ internal sealed class InversionRun(EndpointCall highest, EndpointCall lowest, Ti
     /// <summary>Whether the machine grants such priorities; without them nothing is shown.</summary>
     public static bool HasPriorities()
     {
-        using var manager = new HighestManager(Highest, Cpus.One, EndpointCall.PostAlone);
+        using var manager = new UrgentManager(Highest, Cpus.One, EndpointCall.PostAlone);
         RabitReactor reactor = RabitRun.Create(WaitEngine.Best);
         reactor.Add(manager);
         reactor.Start();
@@ -30,9 +30,9 @@ internal sealed class InversionRun(EndpointCall highest, EndpointCall lowest, Ti
     public double[] Measure(int calls)
     {
         int cpu = Cpus.One;
-        using var calling = new HighestManager(Highest, cpu, highest);
+        using var calling = new UrgentManager(Highest, cpu, highest);
         RabitReactor reactor = RabitRun.Create(WaitEngine.Best);
-        reactor.Add(new LowestManager(Lowest, cpu, lowest));
+        reactor.Add(new BackgroundManager(Lowest, cpu, lowest));
         reactor.Add(new ComputingManager(Middle, cpu, work, receives: highest == EndpointCall.PushDropping));
         reactor.Add(calling);
         reactor.Start();

@@ -28,10 +28,14 @@ internal static unsafe class InheritanceFutex
             _ => (-1, -1, -1),
         };
 
+    // Written and read by the thread itself: its id, which does not change; 0 before it was asked for. To ask each time
+    // would cost more than the lock.
     [ThreadStatic]
-    private static int _threadId;   // of the thread; 0: not asked yet
+    private static int _threadId;
 
-    /// <summary>Whether it works here: asked of the kernel, since it may be built without, and a sandbox may forbid it.</summary>
+    /// <summary>
+    /// Whether it works here: asked of the kernel, since it may be built without, and a sandbox may forbid it.
+    /// </summary>
     public static bool IsThere { get; } = Probe();
 
     /// <summary>The kernel's id of the calling thread, which never is 0.</summary>

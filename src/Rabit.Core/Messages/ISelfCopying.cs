@@ -8,10 +8,11 @@ namespace Rabit.Core;
 /// </summary>
 /// <typeparam name="TSelf">The class itself.</typeparam>
 /// <remarks>
-/// Both methods are called on the thread that starts, posts or fetches, under a lock of the message: they copy, and do
-/// nothing else. After them the two instances share nothing that can be changed. What they throw reaches the one who
-/// posted or fetched as an <see cref="System.InvalidOperationException"/> that names the message; all copies keep the
-/// whole value of before.
+/// Both methods are called on the thread that starts, posts or fetches; several threads may copy from one instance
+/// at a time, and none changes it meanwhile, nor sees the one that is copied into. So they copy, and do nothing
+/// else: they do not change the instance that they copy from. After them the two share nothing that can be changed.
+/// What they throw reaches the one who posted or fetched as an <see cref="System.InvalidOperationException"/> that
+/// names the message; all copies keep the whole value of before.
 /// </remarks>
 public interface ISelfCopying<TSelf>
 {

@@ -14,6 +14,12 @@ internal sealed class LocalCopy<T>(T value)
     /// </summary>
     public T Spare = default!;
 
+    /// <summary>Whether a class that copies itself is doing so, from or to this copy.</summary>
+    public bool IsCopying;
+
+    /// <summary>The slots that a poster may write; null where the owner has not posted yet and need not.</summary>
+    public SpareSlots? Spares;
+
     /// <summary>The version of the last post that the owner fetched or made.</summary>
     public int SeenVersion;
 

@@ -92,19 +92,17 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
         T initial = default!;
         int publishers = 0;
         bool areManagers = true;
-        bool inheritsPriority = false;
         foreach (EndpointDeclaration endpoint in endpoints)
         {
             if (endpoint.StatesInitial)
                 initial = ((MessageBinding<T>)endpoint).Initial;
-            inheritsPriority |= endpoint.Owner.HasPriority;
             if (endpoint.Role != EndpointRole.Publish)
                 continue;
             publishers++;
             areManagers &= endpoint.Owner.IsManager;
         }
 
-        var place = new MessagePlace(Name, clock, log, inheritsPriority);
+        var place = new MessagePlace(Name, clock, log);
         if (IsSelfCopying && initial is not null)
             return new SharedObject<T>(place, initial);
         return new SharedValue<T>(place, initial, isAlone: publishers == 1 && areManagers);
@@ -124,6 +122,8 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
 
         // All endpoints of a manager for one message share its local copy; endpoints outside managers have one each.
         _copy = Owner.IsManager && firstOfOwner is MessageBinding<T> first ? first._copy! : Shared.CreateCopy();
+        if (Role == EndpointRole.Publish)
+            Shared.Equip(_copy, Owner);
         if (Role != EndpointRole.Subscribe)
             return;
         if (Wakes)

@@ -9,5 +9,4 @@ namespace Rabit.Core.Messages;
 /// <param name="Name">The name.</param>
 /// <param name="Clock">The clock of the run.</param>
 /// <param name="Log">The log of the run.</param>
-/// <param name="InheritsPriority">Whether managers of a real-time priority use it.</param>
-internal sealed record MessagePlace(string Name, RunClock Clock, RabitLog Log, bool InheritsPriority = false);
+internal sealed record MessagePlace(string Name, RunClock Clock, RabitLog Log);

@@ -15,7 +15,8 @@ namespace Rabit.Core.Messages;
 /// </summary>
 /// <remarks>
 /// The version is all that a fetch without news looks at: one volatile read. It is 32 bits wide, because wider reads
-/// are not atomic on 32-bit boards. How the value is kept whole is for the derived classes.
+/// are not atomic on 32-bit boards. How the value is kept whole is for the derived classes
+/// (<see cref="SlotPool{TSlot, TSync}"/>).
 /// </remarks>
 [SuppressMessage("Reliability", "CA1001:Types that own disposable fields should be disposable",
     Justification = "A source of cancellation without a timer or a wait handle holds nothing that must be released.")]
@@ -23,17 +24,22 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) :
 {
     private readonly object _targetsGate = new();
     private readonly CancellationTokenSource _closed = new();
-    // written by one poster at a time, which the derived class sees to; read by all; 0: nothing posted yet
-    private int _version = firstVersion;
     private PostTarget[] _targets = []; // replaced whole under _targetsGate, read by posters
+
+    /// <summary>Written by posters, read by all; guarded as <see cref="SlotPool{TSlot, TSync}"/> says.</summary>
+    protected LatestSlot Latest = new(firstVersion, index: 0);
 
     public string Name { get; } = place.Name;
 
     public RunClock Clock { get; } = place.Clock;
 
-    public int Version => Volatile.Read(ref _version);
+    public int Version => Volatile.Read(ref Latest.Version);
 
     public abstract LocalCopy<T> CreateCopy();
+
+    /// <summary>Gives a local copy what it takes to post, so that no post allocates it.</summary>
+    public SpareSlots Equip(LocalCopy<T> copy, EndpointOwner poster)
+        => copy.Spares ??= NewSpares(isOutside: !poster.IsManager);
 
     /// <summary>Version and time of the latest post, without its value.</summary>
     public abstract MessageStamp ReadStamp();
@@ -65,7 +71,7 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) :
         var news = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
         using var target = new PostTarget(owner, wakeUp: null, _ => news.TrySetResult(true));
         AddTarget(target);
-        OptimisticRead.FenceAllThreads();
+        default(SyncPoints).FenceAllThreads();
         if (Version != copy.SeenVersion)
             return true;
         using (_closed.Token.Register(() => news.TrySetResult(false)))
@@ -88,9 +94,13 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) :
     /// <param name="now">
     /// The time now, where the poster has just read it: the woken manager need not read the clock again.
     /// </param>
+    /// <exception cref="InvalidOperationException">
+    /// Code outside managers posts through one endpoint on two threads at once.
+    /// </exception>
     public void Post(LocalCopy<T> copy, EndpointOwner poster, TimeSpan time, TimeSpan? now = null)
     {
-        int version = Store(copy, time);
+        SpareSlots spares = copy.Spares ?? Equip(copy, poster);
+        int version = poster.IsManager ? Store(copy, spares, time) : StoreOutside(copy, spares, time);
         int covered = PostsBetween(copy.SeenVersion, version) - 1;
         if (covered != 0)
             copy.CoveredPosts += covered;
@@ -126,23 +136,31 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) :
         return news;
     }
 
+    protected abstract SpareSlots NewSpares(bool isOutside);
+
     /// <summary>Copies a local copy's value to the global one, as the next version.</summary>
     /// <returns>That version.</returns>
-    protected abstract int Store(LocalCopy<T> copy, TimeSpan time);
+    protected abstract int Store(LocalCopy<T> copy, SpareSlots spares, TimeSpan time);
 
     /// <summary>Copies value and time of the latest version, whole, to a local copy.</summary>
     /// <returns>That version.</returns>
     protected abstract int Load(LocalCopy<T> copy);
 
-    /// <summary>The version of the post after this one. For the one poster at a time.</summary>
-    /// <remarks>Zero is kept for "nothing posted yet", so the counter jumps over it when it wraps around.</remarks>
-    protected int NextVersion() => unchecked(_version + 1) is var next && next == 0 ? 1 : next;
-
-    /// <summary>
-    /// Makes a post news: all that was written before is visible to every thread that reads this version. For the one
-    /// poster at a time.
-    /// </summary>
-    protected void Announce(int version) => Volatile.Write(ref _version, version);
+    // Of code outside managers, which nothing but its documentation holds to one thread at a time.
+    private int StoreOutside(LocalCopy<T> copy, SpareSlots spares, TimeSpan time)
+    {
+        if (!spares.TryEnter())
+            throw new InvalidOperationException(
+                $"Two threads post message '{Name}' at once through one endpoint: each needs an endpoint of its own.");
+        try
+        {
+            return Store(copy, spares, time);
+        }
+        finally
+        {
+            spares.Exit();
+        }
+    }
 
     private void TakeOut(PostTarget target)
     {

@@ -1,93 +1,90 @@
 using System;
 using Rabit.Core.Diagnostics;
-using Rabit.Core.Locks;
+using Rabit.Core.WakeUp;
 using Rabit.Core.Wiring;
 
 namespace Rabit.Core.Messages;
 
-/// <summary>The global copy of a message whose class copies itself.</summary>
+/// <summary>The global copy of a message whose class copies itself, without a lock.</summary>
 /// <remarks>
 /// The copy method is the user's: it may take long, and it may throw half-way. So it never runs on an instance that
-/// another thread may read. A post copies into the spare instance and then exchanges it for the latest; a fetch does
-/// the same with the fetcher's own pair. A copy that failed leaves every copy with its whole previous value. All of it
-/// is under a lock: code that knows nothing of threads may not meet an instance that is changing. Nothing is allocated
-/// after wiring.
+/// another thread changes, and no one waits for it: a post copies into a spare slot and then makes that the latest,
+/// a fetch pins the latest slot while it copies from it (<see cref="SlotPool{TSlot, TSync}"/>) into the second
+/// instance of its local copy, which it then exchanges. A copy that failed leaves every copy with its whole
+/// previous value. Nothing is allocated after wiring, but where more fetchers copy at once than there were before.
 /// </remarks>
 internal sealed class SharedObject<T> : SharedMessage<T>
 {
-    private readonly EndpointLock _gate;
-    private readonly T _initial;
-    private T _latest;        // both under _gate, and what they refer to
-    private T _spare;
-    private TimeSpan _time;   // under _gate
-    private bool _isCopying;  // under _gate; seen only by a copy method that returns to its own message
+    // One to write while the one before is still read.
+    private const int SparesOfPoster = 2;
+
+    private readonly SlotPool<ValueSlot<T>, SyncPoints> _pool;
+    private readonly T _initial;   // read only
 
     public SharedObject(MessagePlace place, T initial)
         : base(place, firstVersion: 0)
     {
-        _gate = new EndpointLock(place.InheritsPriority);
         _initial = CloneOf(initial);
-        _latest = CloneOf(initial);
-        _spare = CloneOf(initial);
+        _pool = new SlotPool<ValueSlot<T>, SyncPoints>(NewSlot(), NewSlot);
     }
 
-    public override LocalCopy<T> CreateCopy()
-    {
-        using (_gate.Enter())
-            return new LocalCopy<T>(CloneOf(_initial)) { Spare = CloneOf(_initial) };
-    }
+    public override LocalCopy<T> CreateCopy() => new(CloneOf(_initial)) { Spare = CloneOf(_initial) };
 
     public override MessageStamp ReadStamp()
     {
-        using (_gate.Enter())
-            return new MessageStamp(Version, _time);
+        ValueSlot<T> slot = _pool.Pin(ref Latest.Word, out int version);
+        var stamp = new MessageStamp(version, slot.Time);
+        SlotPool<ValueSlot<T>, SyncPoints>.Unpin(slot);
+        return stamp;
     }
 
     public override void Assign(LocalCopy<T> copy, in T value)
     {
         if (ReferenceEquals(value, copy.Value))
             return;
-        using (_gate.Enter())
-        {
-            Copy(value, copy.Spare, "posted");
-            (copy.Value, copy.Spare) = (copy.Spare, copy.Value);
-        }
+        Copy(copy, value, copy.Spare, "posted");
+        (copy.Value, copy.Spare) = (copy.Spare, copy.Value);
     }
 
-    protected override int Store(LocalCopy<T> copy, TimeSpan time)
+    protected override SpareSlots NewSpares(bool isOutside) => _pool.NewSpares(SparesOfPoster, isOutside);
+
+    protected override int Store(LocalCopy<T> copy, SpareSlots spares, TimeSpan time)
     {
-        using (_gate.Enter())
-        {
-            Copy(copy.Value, _spare, "posted");
-            (_latest, _spare) = (_spare, _latest);
-            _time = time;
-            int version = NextVersion();
-            Announce(version);
-            return version;
-        }
+        ValueSlot<T> slot = _pool.Take(spares);
+        Copy(copy, copy.Value, slot.Value, "posted");
+        slot.Time = time;
+        return SlotPool<ValueSlot<T>, SyncPoints>.Publish(slot, spares, ref Latest.Word);
     }
 
     protected override int Load(LocalCopy<T> copy)
     {
-        using (_gate.Enter())
+        ValueSlot<T> slot = _pool.Pin(ref Latest.Word, out int version);
+        try
         {
-            Copy(_latest, copy.Spare, "fetched");
-            (copy.Value, copy.Spare) = (copy.Spare, copy.Value);
-            copy.Time = _time;
-            return Version;
+            Copy(copy, slot.Value, copy.Spare, "fetched");
+            copy.Time = slot.Time;
         }
+        finally
+        {
+            SlotPool<ValueSlot<T>, SyncPoints>.Unpin(slot);
+        }
+
+        (copy.Value, copy.Spare) = (copy.Spare, copy.Value);
+        return version;
     }
 
     private static T CloneOf(T value) => ((ISelfCopying<T>)value!).Clone();
 
-    private void Copy(T from, T to, string verb)
+    private ValueSlot<T> NewSlot() => new() { Value = CloneOf(_initial) };
+
+    private void Copy(LocalCopy<T> copy, T from, T to, string verb)
     {
-        if (_isCopying)
+        if (copy.IsCopying)
             throw new InvalidOperationException(
                 $"{Type}.{nameof(ISelfCopying<>.CopyTo)} uses message '{Name}', which it is copying.");
         if (from is null || to is null)
             throw new InvalidOperationException($"Message '{Name}' cannot be {verb}: its value is null.");
-        _isCopying = true;
+        copy.IsCopying = true;
         try
         {
             ((ISelfCopying<T>)from).CopyTo(to);
@@ -101,7 +98,7 @@ internal sealed class SharedObject<T> : SharedMessage<T>
         }
         finally
         {
-            _isCopying = false;
+            copy.IsCopying = false;
         }
     }
 

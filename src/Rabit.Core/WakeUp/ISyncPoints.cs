@@ -21,14 +21,20 @@ namespace Rabit.Core.WakeUp;
 /// <item>interlocked: in order with everything;</item>
 /// <item>signals: what was done before a set is seen after the wait that it ends, and no more.</item>
 /// </list>
-/// There are no volatile 64-bit words: they are not whole on 32-bit machines. The litmus tests of the explorer add
-/// plain accesses and fences, which the library does not use through this seam.
+/// A 64-bit word is whole on 32-bit machines too, where its volatile operations are interlocked ones. The litmus tests
+/// of the explorer add plain accesses and fences, which the library does not make through this seam.
 /// </remarks>
 internal unsafe interface ISyncPoints
 {
     int VolatileRead(ref int location);
 
     void VolatileWrite(ref int location, int value);
+
+    /// <summary>A volatile read of a word that is whole.</summary>
+    long VolatileRead(ref long location);
+
+    /// <summary>A volatile write of a word that is whole.</summary>
+    void VolatileWrite(ref long location, long value);
 
     int Exchange(ref int location, int value);
 
@@ -39,6 +45,17 @@ internal unsafe interface ISyncPoints
     void InterlockedWrite(ref long location, long value);
 
     int CompareExchange(ref int location, int value, int comparand);
+
+    long CompareExchange(ref long location, long value, long comparand);
+
+    /// <summary>A full fence on all threads, where the machine has it (<see cref="MemoryBarriers"/>).</summary>
+    void FenceAllThreads();
+
+    /// <summary>No store after it is seen before one that precedes it.</summary>
+    void StoreBarrier();
+
+    /// <summary>No load after it is made before one that precedes it.</summary>
+    void LoadBarrier();
 
     void Set(AutoResetEvent signal);
 

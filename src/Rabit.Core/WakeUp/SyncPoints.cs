@@ -15,6 +15,19 @@ internal readonly unsafe struct SyncPoints : ISyncPoints
     public void VolatileWrite(ref int location, int value) => Volatile.Write(ref location, value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public long VolatileRead(ref long location)
+        => IntPtr.Size == sizeof(long) ? Volatile.Read(ref location) : Interlocked.Read(ref location);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void VolatileWrite(ref long location, long value)
+    {
+        if (IntPtr.Size == sizeof(long))
+            Volatile.Write(ref location, value);
+        else
+            Interlocked.Exchange(ref location, value);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public long InterlockedRead(ref long location) => Interlocked.Read(ref location);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -26,6 +39,19 @@ internal readonly unsafe struct SyncPoints : ISyncPoints
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int CompareExchange(ref int location, int value, int comparand)
         => Interlocked.CompareExchange(ref location, value, comparand);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public long CompareExchange(ref long location, long value, long comparand)
+        => Interlocked.CompareExchange(ref location, value, comparand);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void FenceAllThreads() => MemoryBarriers.AllThreads();
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void StoreBarrier() => MemoryBarriers.Store();
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void LoadBarrier() => MemoryBarriers.Load();
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Set(AutoResetEvent signal) => signal.Set();

@@ -73,8 +73,8 @@ internal static class WiringText
         string forHowLong = PriorityInheritanceMutex.IsThere
             ? "for as long as others take to copy what is ahead; who holds the lock has that priority meanwhile"
             : "for as long as threads of priorities in between run: this system has no lock that passes a priority on";
-        return $"manager '{manager.Name}' of a real-time priority may wait for the lock of queue '{endpoints[0].Name}', "
-            + forHowLong;
+        return $"manager '{manager.Name}' of a real-time priority may wait for the lock of queue "
+            + $"'{endpoints[0].Name}', {forHowLong}";
     }
 
     private static bool IsUnreadStatus(IReadOnlyList<EndpointDeclaration> endpoints) => endpoints.All(e => e.IsBuiltIn);

@@ -30,7 +30,7 @@ internal sealed class HeadingSearch
     /// <summary>Turns the part; objects whose centre is in it, and which are whole in it, have a window.</summary>
     /// <returns>False where the part is too small for a window.</returns>
     public bool Prepare(
-        BrightnessPlane plane, in PlaneScale scale, double heading, ObjectTemplate template, in PictureBox part)
+        BrightnessPlane plane, in PlaneScale scale, double heading, ObjectTemplate template, in PixelRectangle part)
     {
         (_cell, _length, _width) = (template.CellPixels, template.WindowLength, template.WindowWidth);
         _window = PlaneWindow.Along(scale, heading, template.MetresPerPixel);
@@ -119,7 +119,7 @@ internal sealed class HeadingSearch
         }
     }
 
-    private (double Left, double Top, double Right, double Bottom) Around(in PictureBox part)
+    private (double Left, double Top, double Right, double Bottom) Around(in PixelRectangle part)
     {
         (double left, double top) = (double.MaxValue, double.MaxValue);
         (double right, double bottom) = (double.MinValue, double.MinValue);

@@ -84,7 +84,7 @@ public sealed class TemplateScanner
         SetPlane(scale);
         if (_plane.Width < 1 || _plane.Height < 1)
             return true;
-        var part = new PictureBox(left, top, right, bottom);
+        var part = new PixelRectangle(left, top, right, bottom);
         for (int i = 0; i < _template.Headings; i++)
         {
             if (_search.Prepare(_plane, scale, HeadingOf(i, _template), _template, part))
@@ -137,7 +137,7 @@ public sealed class TemplateScanner
 
     /// <summary>Scores the windows of a heading, and adds the peaks among them.</summary>
     internal static void Collect(
-        HeadingSearch search, ObjectTemplate template, in PlaneScale scale, int heading, in PictureBox part,
+        HeadingSearch search, ObjectTemplate template, in PlaneScale scale, int heading, in PixelRectangle part,
         double threshold, MatchSelection selection)
     {
         search.ScoreAll(template);

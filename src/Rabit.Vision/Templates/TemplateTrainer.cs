@@ -77,7 +77,7 @@ public sealed class TemplateTrainer
         {
             Scale = PlaneScale.Uniform(metresPerPixel),
             Group = group ?? FormattableString.Invariant($"picture {_pictures.Count + 1}"),
-            Frame = new PictureBox(0, 0, picture.Width - 1, picture.Height - 1),
+            Frame = new PixelRectangle(0, 0, picture.Width - 1, picture.Height - 1),
         };
         added.Plane.Set(
             picture.Pixels, picture.Width, picture.Height, TemplateScanner.FactorOf(added.Scale, _shape));

@@ -32,5 +32,5 @@ public sealed class TrainingBox(double left, double top, double width, double he
     public bool IsIgnored { get; init; }
 
     // The same in coordinates whose 0 is the centre of the first pixel.
-    internal PictureBox Box => new(Left - 0.5, Top - 0.5, Left + Width - 0.5, Top + Height - 0.5);
+    internal PixelRectangle Box => new(Left - 0.5, Top - 0.5, Left + Width - 0.5, Top + Height - 0.5);
 }

@@ -7,10 +7,10 @@ internal sealed class TrainingObject
 {
     private const double ClearDegrees = 12;
 
-    private TrainingObject(PictureBox box, double heading, double other)
+    private TrainingObject(PixelRectangle box, double heading, double other)
         => (Box, Heading, Other) = (box, heading, other);
 
-    public PictureBox Box { get; }
+    public PixelRectangle Box { get; }
 
     /// <summary>Radians from up; which end is the front is not known.</summary>
     public double Heading { get; }

@@ -12,16 +12,16 @@ internal sealed class TrainingPicture
     public string Group { get; init; } = "";
 
     /// <summary>Of all of it.</summary>
-    public PictureBox Frame { get; init; }
+    public PixelRectangle Frame { get; init; }
 
-    public List<PictureBox> Ignored { get; } = [];
+    public List<PixelRectangle> Ignored { get; } = [];
 
     public List<TrainingObject> Objects { get; } = [];
 
     /// <summary>Whether a place lies on an object or an ignored thing, or on its margin.</summary>
     public bool IsTaken(double x, double y, double margin)
     {
-        foreach (PictureBox box in Ignored)
+        foreach (PixelRectangle box in Ignored)
         {
             if (box.Grown(margin).Contains(x, y))
                 return true;

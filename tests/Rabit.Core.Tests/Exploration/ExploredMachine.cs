@@ -72,7 +72,7 @@ internal sealed class ExploredMachine
         return operation.Kind switch
         {
             SyncKind.Write =>
-                _options.Memory != MemoryModel.SequentiallyConsistent && !IsNoted(place, 0)
+                _options.Memory != MemoryModel.SequentiallyConsistent && !_model.FencesAllThreads && !IsNoted(place, 0)
                     && _writers.IsLone(operation.Location, thread),
 
             // A clock that stands still for good: no thread sees when it is read.
@@ -225,6 +225,17 @@ internal sealed class ExploredMachine
             case SyncKind.Fence:
                 _memory.Fence(s, thread);
                 break;
+            case SyncKind.FenceAllThreads:
+                for (int each = 0; each < Threads; each++)
+                    _memory.Fence(s, each);
+                _memory.Fence(s, thread);
+                break;
+            case SyncKind.StoreBarrier:
+                _memory.StoreBarrier(s, thread);
+                break;
+            case SyncKind.LoadBarrier:
+                _memory.LoadBarrier(s, thread);
+                break;
             case SyncKind.ReadClock:
                 result = (int)state.Now.Ticks;
                 break;
@@ -308,7 +319,7 @@ internal sealed class ExploredMachine
         SyncOperation next = place.Place.Operation;
         if (next.Kind == SyncKind.Wait)
             FallAsleep(state, thread, state.Now + next.AtMost);
-        else if (next.Kind == SyncKind.End)
+        else if (next.Kind == SyncKind.End && !_model.FencesAllThreads)
             _memory.ForgetThread(state.Numbers, thread);
     }
 

@@ -125,6 +125,13 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
         HandOnToFences(s, thread);
     }
 
+    /// <summary>What plain writes after it hand on: all that the thread has seen before it.</summary>
+    public void StoreBarrier(int[] s, int thread)
+        => Array.Copy(s, View(thread, Own), s, View(thread, HandedOn), _locations);
+
+    /// <summary>Takes over what plain reads before it were shown.</summary>
+    public void LoadBarrier(int[] s, int thread) => Join(s, View(thread, Own), View(thread, AtFence));
+
     /// <summary>A signal shows the thread that it wakes what its setter saw; it is taken for no fence.</summary>
     public void HandOn(int[] s, int thread, int signalView) => Join(s, signalView, View(thread, Own));
 

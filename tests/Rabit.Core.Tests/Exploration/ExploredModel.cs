@@ -23,6 +23,12 @@ internal abstract class ExploredModel
     /// </summary>
     public virtual int EarlyReturns => 0;
 
+    /// <summary>
+    /// Whether the code fences all threads: then what a thread has written is known even after it has ended, and a
+    /// write may not be taken early, since it makes a difference whether such a fence comes before it.
+    /// </summary>
+    public virtual bool FencesAllThreads => false;
+
     /// <summary>How many locations and signals the code has, and how many writes of one may be in sight.</summary>
     public virtual (int Locations, int Signals, int Writes) Size => (8, 1, 12);
 

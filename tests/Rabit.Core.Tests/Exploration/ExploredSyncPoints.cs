@@ -22,11 +22,27 @@ internal readonly unsafe struct ExploredSyncPoints : ILitmusPoints
     public int CompareExchange(ref int location, int value, int comparand)
         => Perform(SyncKind.CompareExchange, ref location, value, comparand);
 
+    public long VolatileRead(ref long location)
+        => Whole(Perform(new SyncOperation(SyncKind.VolatileRead, Mine.LocationOf(ref location))));
+
+    public void VolatileWrite(ref long location, long value)
+        => Perform(new SyncOperation(SyncKind.VolatileWrite, Mine.LocationOf(ref location), Number(value)));
+
+    public long CompareExchange(ref long location, long value, long comparand)
+        => Whole(Perform(new SyncOperation(
+            SyncKind.CompareExchange, Mine.LocationOf(ref location), Number(value), Number(comparand))));
+
     public long InterlockedRead(ref long location)
         => Perform(new SyncOperation(SyncKind.InterlockedRead, Mine.LocationOf(ref location)));
 
     public void InterlockedWrite(ref long location, long value)
         => Perform(new SyncOperation(SyncKind.InterlockedWrite, Mine.LocationOf(ref location), checked((int)value)));
+
+    public void FenceAllThreads() => Perform(new SyncOperation(SyncKind.FenceAllThreads));
+
+    public void StoreBarrier() => Perform(new SyncOperation(SyncKind.StoreBarrier));
+
+    public void LoadBarrier() => Perform(new SyncOperation(SyncKind.LoadBarrier));
 
     public void Fence() => Perform(new SyncOperation(SyncKind.Fence));
 
@@ -63,6 +79,16 @@ internal readonly unsafe struct ExploredSyncPoints : ILitmusPoints
     /// one has read.
     /// </summary>
     public static int OldestSeen(ref int location) => Perform(SyncKind.ReadOldest, ref location);
+
+    /// <summary>
+    /// The memory of the explorer has 32-bit numbers: of a 64-bit word of two small halves it keeps 16 bits each.
+    /// </summary>
+    public static int Number(long word)
+        => word >> 32 is >= 0 and <= short.MaxValue && (int)word is >= 0 and <= ushort.MaxValue
+            ? ((int)(word >> 32) << 16) | (int)word
+            : throw new InvalidOperationException($"The halves of the word {word:x} are not small.");
+
+    private static long Whole(int number) => ((long)(number >> 16) << 32) | (uint)(number & ushort.MaxValue);
 
     private static Recorder Mine
         => Recorder.Current ?? throw new InvalidOperationException("Nothing is explored on this thread.");

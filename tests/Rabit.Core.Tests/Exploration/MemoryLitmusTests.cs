@@ -101,6 +101,73 @@ public sealed class MemoryLitmusTests
         Assert.Equal(["0 0", "0 1"], outcomes.OrderBy(o => o, StringComparer.Ordinal));
     }
 
+    /// <summary>
+    /// Plain accesses are in order where the writer has a store barrier and the reader a load barrier.
+    /// </summary>
+    [Theory]
+    [InlineData(false, false, true)]
+    [InlineData(true, false, true)]
+    [InlineData(false, true, true)]
+    [InlineData(true, true, false)]
+    public void MessagePassing_WithBarriers_OnlyWithBoth(bool storeBarrier, bool loadBarrier, bool isPossible)
+    {
+        void Writer()
+        {
+            P.Write(ref _x[0], 1);
+            if (storeBarrier)
+                P.StoreBarrier();
+            P.Write(ref _y[0], 1);
+        }
+
+        void Reader()
+        {
+            Record(0, P.Read(ref _y[0]));
+            if (loadBarrier)
+                P.LoadBarrier();
+            Record(1, P.Read(ref _x[0]));
+        }
+
+        Assert.Equal(isPossible, Outcomes(2, Writer, Reader).Contains("1 0"));
+    }
+
+    /// <summary>Barriers are no fences: a write may still be delayed past a later read.</summary>
+    [Fact]
+    public void StoreBuffering_WithBarriers_BothReadTheOld()
+    {
+        void Side(int[] mine, int[] others, int note)
+        {
+            P.Write(ref mine[0], 1);
+            P.StoreBarrier();
+            P.LoadBarrier();
+            Record(note, P.Read(ref others[0]));
+        }
+
+        Assert.Contains("0 0", Outcomes(2, () => Side(_x, _y, 0), () => Side(_y, _x, 1)));
+    }
+
+    /// <summary>A fence that one thread makes for all is enough for both.</summary>
+    [Theory]
+    [InlineData(false, true)]
+    [InlineData(true, false)]
+    public void StoreBuffering_OneFencesAllThreads_BothReadTheOldOnlyWithout(bool fences, bool isPossible)
+    {
+        void Fencing()
+        {
+            P.Write(ref _x[0], 1);
+            if (fences)
+                P.FenceAllThreads();
+            Record(0, P.Read(ref _y[0]));
+        }
+
+        void Other()
+        {
+            P.Write(ref _y[0], 1);
+            Record(1, P.Read(ref _x[0]));
+        }
+
+        Assert.Equal(isPossible, Outcomes(2, Fencing, Other).Contains("0 0"));
+    }
+
     [Fact]
     public void SequentialConsistency_StoreBuffering_IsNotFound()
     {
@@ -201,7 +268,10 @@ public sealed class MemoryLitmusTests
         var outcomes = new HashSet<string>(StringComparer.Ordinal);
         var model = new SmallModel(
             notes, state => outcomes.Add(string.Join(" ", Enumerable.Range(0, notes).Select(i => state.Note(i)))),
-            threads);
+            threads)
+        {
+            MayFenceAll = true,
+        };
         Assert.Null(Explorer.Explore(model, options).Fault);
         return outcomes;
     }

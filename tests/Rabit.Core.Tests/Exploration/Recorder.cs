@@ -96,7 +96,7 @@ internal sealed class Recorder
     {
         if ((location >> 32) == Tag)
             return (int)location;
-        _initialValues.Add(checked((int)location));
+        _initialValues.Add(ExploredSyncPoints.Number(location));
         location = ((long)Tag << 32) | (uint)(_initialValues.Count - 1);
         return _initialValues.Count - 1;
     }

@@ -12,5 +12,10 @@ internal sealed class SmallModel(int notes, Action<ExploredState> check, params 
 
     public override int Notes => notes;
 
+    public override bool FencesAllThreads => MayFenceAll;
+
+    /// <summary>See <see cref="FencesAllThreads"/>.</summary>
+    public bool MayFenceAll { get; init; }
+
     public override void CheckQuiet(ExploredState state, Func<int, bool> mayRest) => check(state);
 }

@@ -38,6 +38,30 @@ internal readonly unsafe struct HeldUpPoints : ISyncPoints
         Volatile.Write(ref location, value);
     }
 
+    public long VolatileRead(ref long location)
+    {
+        Pass();
+        return default(SyncPoints).VolatileRead(ref location);
+    }
+
+    public void VolatileWrite(ref long location, long value)
+    {
+        Pass();
+        default(SyncPoints).VolatileWrite(ref location, value);
+    }
+
+    public long CompareExchange(ref long location, long value, long comparand)
+    {
+        Pass();
+        return default(SyncPoints).CompareExchange(ref location, value, comparand);
+    }
+
+    public void FenceAllThreads() => default(SyncPoints).FenceAllThreads();
+
+    public void StoreBarrier() => default(SyncPoints).StoreBarrier();
+
+    public void LoadBarrier() => default(SyncPoints).LoadBarrier();
+
     public int Exchange(ref int location, int value)
     {
         Pass();

@@ -7,12 +7,12 @@ namespace Rabit.Latency.Inversion;
 /// The manager of the lowest priority: uses its endpoint flat out most of the time, and rests so often that the kernel
 /// need not throttle the real-time threads.
 /// </summary>
-internal sealed class LowestManager : CallingManager
+internal sealed class BackgroundManager : CallingManager
 {
     private const long BusyNanoseconds = 3_000_000;
     private const int CallsBetweenLooks = 64;
 
-    public LowestManager(int priority, int cpu, EndpointCall call)
+    public BackgroundManager(int priority, int cpu, EndpointCall call)
         : base("lowest", priority, cpu, call)
         // No part of the middle one's period, which would begin at the same time always.
         => Period = TimeSpan.FromTicks(51_700);

@@ -6,13 +6,13 @@ using Rabit.Latency.Native;
 namespace Rabit.Latency.Inversion;
 
 /// <summary>The manager of the highest priority: uses its endpoint once each millisecond, and measures that.</summary>
-internal sealed class HighestManager : CallingManager, IDisposable
+internal sealed class UrgentManager : CallingManager, IDisposable
 {
     private readonly AutoResetEvent _full = new(initialState: false);
     private readonly LatencyHistogram _durations = new();   // the manager's while _left is not 0, the measurer's else
     private int _left;
 
-    public HighestManager(int priority, int cpu, EndpointCall call)
+    public UrgentManager(int priority, int cpu, EndpointCall call)
         : base("highest", priority, cpu, call)
         // No multiple of the others' periods: it meets them at all their places.
         => Period = TimeSpan.FromTicks(10_370);

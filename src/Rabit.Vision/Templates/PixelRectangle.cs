@@ -1,7 +1,7 @@
 namespace Rabit.Vision;
 
 /// <summary>An upright part of a picture, with its borders, pixels.</summary>
-internal readonly struct PictureBox(double left, double top, double right, double bottom)
+internal readonly struct PixelRectangle(double left, double top, double right, double bottom)
 {
     public double Left { get; } = left;
 
@@ -17,5 +17,5 @@ internal readonly struct PictureBox(double left, double top, double right, doubl
 
     public bool Contains(double x, double y) => x >= Left && x <= Right && y >= Top && y <= Bottom;
 
-    public PictureBox Grown(double by) => new(Left - by, Top - by, Right + by, Bottom + by);
+    public PixelRectangle Grown(double by) => new(Left - by, Top - by, Right + by, Bottom + by);
 }

@@ -1,0 +1,140 @@
+using System.Linq;
+using Rabit.Core.Messages;
+
+namespace Rabit.Core.Tests.Exploration;
+
+/// <summary>
+/// A small twin of the slots of the library (<see cref="SlotPool{TSlot, TSync}"/>), right or with one fault: to show
+/// that the exploration finds it.
+/// </summary>
+internal sealed class FaultySlots(SlotScenario scenario, SeededSlotFault fault) : SlotsUnderTest
+{
+    private static ExploredSyncPoints Sync => default;
+
+    private readonly TwoWords[] _slots = [.. Enumerable.Range(0, scenario.Slots + 1).Select(_ => new TwoWords())];
+    private long _latest;
+    private int _demanded;
+
+    public override int Store(int value, SpareSlots spares)
+    {
+        bool isPlain = scenario is { IsAlone: true, Tries: > 0 }
+            && (fault == SeededSlotFault.DemandIgnored || Sync.VolatileRead(ref _demanded) == 0);
+        TwoWords slot = Take(spares);
+        int version = LatestSlot.Of(Sync.VolatileRead(ref _latest)).Version + 1;
+        if (fault != SeededSlotFault.VersionAfterTheValue)
+            Spoil(slot, version);
+        new TwoWordsCopier(value).CopyTo(slot);
+        if (fault == SeededSlotFault.VersionAfterTheValue)
+            Spoil(slot, version);
+        return Publish(slot, spares, isPlain || fault == SeededSlotFault.NoSwap);
+    }
+
+    public override int Load(out int first, out int second)
+    {
+        var copier = default(TwoWordsCopier);
+        int version = Load(ref copier);
+        (first, second) = (copier.First, copier.Second);
+        return version;
+    }
+
+    private TwoWords Take(SpareSlots spares)
+    {
+        for (int i = 0; i < spares.Count; i++, spares.Skip())
+        {
+            if (fault == SeededSlotFault.SpareTakenThoughPinned
+                || Sync.VolatileRead(ref _slots[spares.Next].Pins) == 0)
+            {
+                return _slots[spares.Next];
+            }
+        }
+
+        // As the pool grows, by one slot that is there from the start.
+        spares.Add(scenario.Slots);
+        return _slots[scenario.Slots];
+    }
+
+    private void Spoil(TwoWords slot, int version)
+    {
+        Sync.VolatileWrite(ref slot.Version, version);
+        if (fault != SeededSlotFault.NoStoreBarrier)
+            Sync.StoreBarrier();
+    }
+
+    private int Publish(TwoWords slot, SpareSlots spares, bool isPlain)
+    {
+        while (true)
+        {
+            long word = Sync.VolatileRead(ref _latest);
+            LatestSlot replaced = LatestSlot.Of(word);
+            int version = replaced.Version + 1;
+            if (!isPlain)
+                Sync.VolatileWrite(ref slot.Version, version);
+            long next = new LatestSlot(version, spares.Next).Word;
+            if (isPlain)
+                Sync.VolatileWrite(ref _latest, next);
+            else if (Sync.CompareExchange(ref _latest, next, word) != word)
+                continue;
+            spares.Replace(replaced.Index);
+            return version;
+        }
+    }
+
+    private int Load(ref TwoWordsCopier copier)
+    {
+        for (int i = 0; i < scenario.Tries; i++)
+        {
+            LatestSlot found = LatestSlot.Of(Sync.VolatileRead(ref _latest));
+            copier.CopyFrom(_slots[found.Index]);
+            if (fault != SeededSlotFault.NoLoadBarrier)
+                Sync.LoadBarrier();
+            int version = fault == SeededSlotFault.NoLoadBarrier
+                ? Sync.Read(ref _slots[found.Index].Version)
+                : Sync.VolatileRead(ref _slots[found.Index].Version);
+            if (version == found.Version)
+                return version;
+        }
+
+        bool demands = scenario is { IsAlone: true, Tries: > 0 };
+        if (demands)
+        {
+            Add(ref _demanded, 1);
+            if (fault != SeededSlotFault.DemandWithoutAFence)
+                Sync.FenceAllThreads();
+        }
+
+        int pinned = LoadPinned(ref copier);
+        if (demands)
+            Add(ref _demanded, -1);
+        return pinned;
+    }
+
+    private int LoadPinned(ref TwoWordsCopier copier)
+    {
+        while (true)
+        {
+            long word = Sync.VolatileRead(ref _latest);
+            LatestSlot found = LatestSlot.Of(word);
+            TwoWords slot = _slots[found.Index];
+            bool isLatest = fault == SeededSlotFault.RecheckBeforeThePin && Sync.VolatileRead(ref _latest) == word;
+            Add(ref slot.Pins, 1);
+            if (fault != SeededSlotFault.RecheckBeforeThePin)
+                isLatest = fault == SeededSlotFault.PinWithoutARecheck || Sync.VolatileRead(ref _latest) == word;
+            if (isLatest && fault != SeededSlotFault.UnpinBeforeTheCopy)
+                copier.CopyFrom(slot);
+            Add(ref slot.Pins, -1);
+            if (!isLatest)
+                continue;
+            if (fault == SeededSlotFault.UnpinBeforeTheCopy)
+                copier.CopyFrom(slot);
+            return found.Version;
+        }
+    }
+
+    private static void Add(ref int location, int change)
+    {
+        int found;
+        do
+            found = Sync.VolatileRead(ref location);
+        while (Sync.CompareExchange(ref location, found + change, found) != found);
+    }
+}

@@ -1,0 +1,28 @@
+using Rabit.Core.Messages;
+
+namespace Rabit.Core.Tests.Exploration;
+
+/// <summary>The slots of the library.</summary>
+internal sealed class ProductionSlots : SlotsUnderTest
+{
+    private readonly SlotPool<TwoWords, ExploredSyncPoints> _pool;
+    private long _latest;
+
+    public ProductionSlots(SlotScenario scenario)
+    {
+        _pool = new SlotPool<TwoWords, ExploredSyncPoints>(
+            new TwoWords(), () => new TwoWords(), scenario.Tries, scenario.IsAlone);
+        _pool.NewSpares(scenario.Slots - 1, isOutside: false);
+    }
+
+    public override int Store(int value, SpareSlots spares)
+        => _pool.Store(new TwoWordsCopier(value), spares, ref _latest);
+
+    public override int Load(out int first, out int second)
+    {
+        var copier = default(TwoWordsCopier);
+        int version = _pool.Load(ref copier, ref _latest);
+        (first, second) = (copier.First, copier.Second);
+        return version;
+    }
+}

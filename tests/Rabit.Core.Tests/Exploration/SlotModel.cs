@@ -1,0 +1,95 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Core.Messages;
+
+namespace Rabit.Core.Tests.Exploration;
+
+/// <summary>
+/// Posters and fetchers of one message: the slots that keep its posts (<see cref="SlotPool{TSlot, TSync}"/>). A value
+/// is two plain words, both the number of the post, so that a torn one shows.
+/// </summary>
+internal sealed class SlotModel : ExploredModel
+{
+    private readonly SlotsUnderTest _slots;
+    private readonly SlotScenario _scenario;
+    private readonly List<ExploredThread> _threads = [];
+
+    public SlotModel(SlotScenario scenario, SlotsUnderTest slots)
+    {
+        _scenario = scenario;
+        _slots = slots;
+        for (int i = 0; i < scenario.Posts.Count; i++)
+            _threads.Add(new Poster(this, i));
+        for (int i = 0; i < scenario.Fetchers; i++)
+            _threads.Add(new Fetcher(this, i));
+    }
+
+    public override IReadOnlyList<ExploredThread> Threads => _threads;
+
+    public override bool FencesAllThreads => _scenario.IsAlone;
+
+    // For each version the number of the post that it is of.
+    public override int Notes => 1 + _scenario.Posts.Sum();
+
+    // The latest word, the demand for fences, and of each slot its version, its pins and two words; one slot more.
+    public override (int Locations, int Signals, int Writes) Size => (2 + (4 * (1 + _scenario.Slots)), 1, 24);
+
+    public override void CheckQuiet(ExploredState state, Func<int, bool> mayRest)
+    {
+        for (int thread = 0; thread < _threads.Count; thread++)
+            state.Require(mayRest(thread), $"{_threads[thread].Name} hangs");
+    }
+
+    private sealed class Poster(SlotModel model, int number) : ExploredThread($"poster {number}")
+    {
+        public override object Begin => new At(0, 0, string.Join(",", model._scenario.SparesOf(number)));
+
+        public override object? Run(object from)
+        {
+            (int done, int own, string indices) = (At)from;
+            int post = model._scenario.Posts.Take(number).Sum() + done + 1;
+            var spares = new SpareSlots(indices.Split(',').Select(int.Parse), isOutside: false);
+            int version = model._slots.Store(post, spares);
+            ExploredSyncPoints.Note((version, post, own), state =>
+            {
+                state.Require(version > own, "the version of a poster's own posts went back");
+                state.Require(state.Note(version) == 0, $"two posts have version {version}");
+                state.Note(version) = post;
+            });
+            return done + 1 < model._scenario.Posts[number] ? new At(done + 1, version, Order(spares)) : null;
+        }
+
+        // The one whose turn it is first.
+        private static string Order(SpareSlots spares)
+        {
+            var order = new List<int>();
+            for (int i = 0; i < spares.Count; i++, spares.Skip())
+                order.Add(spares.Next);
+            return string.Join(",", order);
+        }
+
+        private sealed record At(int Done, int Own, string Spares);
+    }
+
+    private sealed class Fetcher(SlotModel model, int number) : ExploredThread($"fetcher {number}")
+    {
+        public override object Begin => new At(0, 0);
+
+        public override object? Run(object from)
+        {
+            (int done, int seen) = (At)from;
+            int version = model._slots.Load(out int first, out int second);
+            ExploredSyncPoints.Note((version, first, second, seen), state =>
+            {
+                state.Require(version >= seen, "a fetch went back");
+                state.Require(first == second, $"torn: {first} and {second}");
+                state.Require(
+                    first == state.Note(version), $"version {version} is post {state.Note(version)}, not {first}");
+            });
+            return done + 1 < model._scenario.Fetches ? new At(done + 1, version) : null;
+        }
+
+        private sealed record At(int Done, int Seen);
+    }
+}

@@ -1,0 +1,13 @@
+using Rabit.Core.Messages;
+
+namespace Rabit.Core.Tests.Exploration;
+
+/// <summary>Slots of a message whose values are two words: those of the library, or a twin with a fault.</summary>
+internal abstract class SlotsUnderTest
+{
+    /// <returns>The version.</returns>
+    public abstract int Store(int value, SpareSlots spares);
+
+    /// <returns>The version.</returns>
+    public abstract int Load(out int first, out int second);
+}
