@@ -49,7 +49,7 @@ public sealed class MarkerFlightTests(ITestOutputHelper output)
         Assert.True(flight.Mission.Phase == MissionPhase.Done, flight.Mission.Text + "\n" + flight.Log);
         Assert.Equal(
             ["apriltag", "apriltag", "aruco"],
-            score.Targets.Select(t => t.Class.ToString()).Where(c => c.StartsWith("a", StringComparison.Ordinal))
+            score.Targets.Select(t => t.Class.ToString()).Where(c => c[0] == 'a')
                 .OrderBy(c => c));
         Assert.All(score.Targets, t => Assert.True(t.Track is not null, $"seed 9: {t}"));
         Assert.Empty(score.FalseTracks);
