@@ -19,8 +19,8 @@ internal sealed class MissionPanel(FlightMonitor monitor, int width)
     private const int WideText = 50;
     private const int BarWidth = 8;
 
-    // With fewer the targets have its line.
-    private const int RowsForPicture = 17;
+    // The line of the last picture is left out where it would leave room for fewer.
+    private const int TargetsBeforePicture = 3;
 
     // What the operator can do; a stop after a takeover sends nothing.
     private static readonly string[] TakenOverHints =
@@ -37,7 +37,9 @@ internal sealed class MissionPanel(FlightMonitor monitor, int width)
         FlightRecord record = monitor.Record;
         MissionStatus mission = record.Mission;
         List<string> lines = [.. Mission(record), .. Vehicle(monitor.Vehicle, mission)];
-        if (rows >= RowsForPicture && MissionText.LastPicture(record.Imaging, isShort: !IsWide) is { } picture)
+        int roomForTargets = rows - lines.Count - 2;   // but for the picture's line and their own heading
+        if (roomForTargets >= Math.Min(TargetsBeforePicture, Listed(record.Tracks).Count())
+            && MissionText.LastPicture(record.Imaging, isShort: !IsWide) is { } picture)
             lines.Add(Field("picture", picture, "default"));
         if (mission.Phase == MissionPhase.HandedOver && monitor.Vehicle.IsArmed)
             lines.AddRange(TakenOverHints.Select(h => $"[yellow]{Markup.Escape(Text.Fit(h, width).TrimEnd())}[/]"));
@@ -99,10 +101,13 @@ internal sealed class MissionPanel(FlightMonitor monitor, int width)
             (vehicle.VelocityNed.North * vehicle.VelocityNed.North)
                 + (vehicle.VelocityNed.East * vehicle.VelocityNed.East));
 
+    private static IEnumerable<TargetTrack> Listed(TrackList tracks)
+        => tracks.Tracks.Where(t => t.State != TrackState.Tentative);
+
     // The last ones where there is no room for all.
     private IEnumerable<string> Targets(TrackList tracks, int room)
     {
-        TargetTrack[] shown = tracks.Tracks.Where(t => t.State != TrackState.Tentative).ToArray();
+        TargetTrack[] shown = Listed(tracks).ToArray();
         string leftOut = shown.Length > room ? $", last {FlightText.Number(room)}" : string.Empty;
         yield return Field(
             "targets",

@@ -48,6 +48,20 @@ public sealed class ScreenPainterTests(ITestOutputHelper output)
         }
     }
 
+    [Theory]
+    [InlineData(80, 24, 2, "picture  2 found, sharp 0.34, 2 ms")]
+    [InlineData(80, 24, 3, null)]   // the targets have its line
+    [InlineData(200, 60, 3, "picture  2 detected, sharpness 0.34, 2 ms, 3 % clipped, ")]
+    public void Paint_LastPicture_IsThereWhereTheTargetsLeaveRoom(int columns, int rows, int targets, string? expected)
+    {
+        string[] lines = Painted(columns, rows, targets);
+
+        if (expected is null)
+            Assert.DoesNotContain(lines, l => l.Contains("picture  "));
+        else
+            Assert.Contains(lines, l => l.Contains(expected));
+    }
+
     [Fact]
     public void Paint_LargeScreen_HasMoreOfTheLogAndMoreTargets()
     {
