@@ -6,11 +6,11 @@ namespace Rabit.Tool.Training;
 /// <summary>A picture of a file of labels.</summary>
 internal sealed class LabelledPicture
 {
-    public string Path { get; init; } = "";
+    public string Path { get; set; } = "";
 
-    public double MetresPerPixel { get; init; }
+    public double MetresPerPixel { get; set; }
 
-    public string? Group { get; init; }
+    public string? Group { get; set; }
 
-    public IReadOnlyList<TrainingBox> Boxes { get; init; } = [];
+    public IReadOnlyList<TrainingBox> Boxes { get; set; } = [];
 }
