@@ -48,9 +48,16 @@ public sealed class PhotoTests : IDisposable
             new RgbPicture(61, 43, new byte[61 * 43 * 3]),
             new PhotoMetadata
             {
-                LatitudeDegrees = Latitude, LongitudeDegrees = Longitude, AltitudeAmslMetres = 540,
-                RelativeAltitudeMetres = 50, GimbalPitchDegrees = -90, GimbalYawDegrees = 0, GimbalRollDegrees = 0,
-                PixelWidth = takenWidth, PixelHeight = takenHeight, FocalLengthPixels = 50 * takenWidth / 61.0,
+                LatitudeDegrees = Latitude,
+                LongitudeDegrees = Longitude,
+                AltitudeAmslMetres = 540,
+                RelativeAltitudeMetres = 50,
+                GimbalPitchDegrees = -90,
+                GimbalYawDegrees = 0,
+                GimbalRollDegrees = 0,
+                PixelWidth = takenWidth,
+                PixelHeight = takenHeight,
+                FocalLengthPixels = 50 * takenWidth / 61.0,
             });
 
         Assert.Equal(0, _run.Run(Write("a.png", png), "--pixel", "60,21", "--json"));

@@ -231,8 +231,14 @@ public sealed class V4l2CameraTests : IDisposable
         ArgumentException e = Assert.Throws<ArgumentException>(() => new V4l2Camera(
             new V4l2CameraOptions
             {
-                Device = "/dev/video0", Format = V4l2PixelFormat.Yuyv, Width = 61, Height = 43, FramesPerSecond = 0,
-                Exposure = TimeSpan.Zero, Buffers = 0, StallTimeout = TimeSpan.Zero,
+                Device = "/dev/video0",
+                Format = V4l2PixelFormat.Yuyv,
+                Width = 61,
+                Height = 43,
+                FramesPerSecond = 0,
+                Exposure = TimeSpan.Zero,
+                Buffers = 0,
+                StallTimeout = TimeSpan.Zero,
             },
             _system));
 
