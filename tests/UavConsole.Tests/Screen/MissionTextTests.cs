@@ -15,7 +15,7 @@ public sealed class MissionTextTests
     {
         var picture = new PictureFacts
         {
-            Exposure = TimeSpan.FromMilliseconds(2.5),
+            Exposure = TimeSpan.FromTicks(25_000),
             DarkLevel = 61,
             BrightLevel = 182,
             ClippedShare = 0.031,
