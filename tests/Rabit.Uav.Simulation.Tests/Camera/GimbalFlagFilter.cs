@@ -10,26 +10,16 @@ namespace Rabit.Uav.Simulation.Tests.Camera;
 /// Around the companion's end of the link: what the gimbal reports comes without the flags that say against what its
 /// angles are, so that they seem to be against the body.
 /// </summary>
-internal sealed class GimbalFlagFilter(IByteLink link) : IByteLink
+internal sealed class GimbalFlagFilter(IByteLink link) : WrappedLink(link)
 {
     private readonly MavlinkFrameReader _reader = new(MavlinkDialect.All);
 
     /// <summary>How many reports came.</summary>
     public int Reports { get; private set; }
 
-    public string Url => link.Url;
-
-    public bool Blocks => link.Blocks;
-
-    public LinkCounters Counters => link.Counters;
-
-    public ByteLinkState State => link.State;
-
-    public string? LastFault => link.LastFault;
-
-    public LinkRead Read(byte[] buffer, int timeoutMilliseconds = Timeout.Infinite)
+    public override LinkRead Read(byte[] buffer, int timeoutMilliseconds = Timeout.Infinite)
     {
-        LinkRead read = link.Read(buffer, timeoutMilliseconds);
+        LinkRead read = Inner.Read(buffer, timeoutMilliseconds);
         if (read.Kind is LinkReadKind.NothingYet or LinkReadKind.Ended)
             return read;
         var bytes = new ReadOnlySpan<byte>(buffer, 0, read.Count);
@@ -51,14 +41,6 @@ internal sealed class GimbalFlagFilter(IByteLink link) : IByteLink
 
         return read;
     }
-
-    public void Write(byte[] buffer, int offset, int count) => link.Write(buffer, offset, count);
-
-    public void Unblock() => link.Unblock();
-
-    public void SetReadableCallback(Action? callback) => link.SetReadableCallback(callback);
-
-    public void Dispose() => link.Dispose();
 
     // A frame has its length whatever its flags are, as long as it arrives in one piece.
     private static void Assert(bool isSame)

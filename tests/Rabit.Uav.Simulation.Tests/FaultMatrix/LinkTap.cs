@@ -11,7 +11,7 @@ namespace Rabit.Uav.Simulation.Tests.FaultMatrix;
 /// Around the companion's end of the link: notes the commands that go out and the modes that are reported, sends what a
 /// ground station would send over the same link, and holds back what a test wants to be lost.
 /// </summary>
-internal sealed class LinkTap(IByteLink link, Func<TimeSpan> now) : IByteLink
+internal sealed class LinkTap(IByteLink link, Func<TimeSpan> now) : WrappedLink(link)
 {
     private readonly MavlinkFrameReader _out = new(MavlinkDialect.All);
     private readonly MavlinkFrameReader _in = new(MavlinkDialect.All);
@@ -30,19 +30,9 @@ internal sealed class LinkTap(IByteLink link, Func<TimeSpan> now) : IByteLink
     /// <summary>Until when the heartbeats of the ground station are held back.</summary>
     public TimeSpan HidesGroundStationUntil { get; set; }
 
-    public string Url => link.Url;
-
-    public bool Blocks => link.Blocks;
-
-    public LinkCounters Counters => link.Counters;
-
-    public ByteLinkState State => link.State;
-
-    public string? LastFault => link.LastFault;
-
-    public LinkRead Read(byte[] buffer, int timeoutMilliseconds = Timeout.Infinite)
+    public override LinkRead Read(byte[] buffer, int timeoutMilliseconds = Timeout.Infinite)
     {
-        LinkRead read = link.Read(buffer, timeoutMilliseconds);
+        LinkRead read = Inner.Read(buffer, timeoutMilliseconds);
         if (read.Kind is LinkReadKind.NothingYet or LinkReadKind.Ended)
             return read;
         var bytes = new ReadOnlySpan<byte>(buffer, 0, read.Count);
@@ -68,7 +58,7 @@ internal sealed class LinkTap(IByteLink link, Func<TimeSpan> now) : IByteLink
         return kept == read.Count ? read : kept == 0 ? LinkRead.NothingYet : LinkRead.Bytes(kept);
     }
 
-    public void Write(byte[] buffer, int offset, int count)
+    public override void Write(byte[] buffer, int offset, int count)
     {
         var bytes = new ReadOnlySpan<byte>(buffer, offset, count);
         while (_out.TryRead(ref bytes, out MavlinkFrame frame, out _))
@@ -77,7 +67,7 @@ internal sealed class LinkTap(IByteLink link, Func<TimeSpan> now) : IByteLink
                 Sent.Add(command);
         }
 
-        link.Write(buffer, offset, count);
+        Inner.Write(buffer, offset, count);
     }
 
     /// <summary>Sends as the ground station 255/190.</summary>
@@ -85,14 +75,8 @@ internal sealed class LinkTap(IByteLink link, Func<TimeSpan> now) : IByteLink
         where T : struct, IMavlinkMessage
     {
         int length = MavlinkFrame.Create(message, Ground.SystemId, Ground.ComponentId, _sequence++).WriteTo(_frame);
-        link.Write(_frame, 0, length);
+        Inner.Write(_frame, 0, length);
     }
-
-    public void Unblock() => link.Unblock();
-
-    public void SetReadableCallback(Action? callback) => link.SetReadableCallback(callback);
-
-    public void Dispose() => link.Dispose();
 
     private void Note(in MavlinkFrame frame)
     {

@@ -113,23 +113,8 @@ public sealed class JpegDecoderTests
     public void Decode_CutAnywhere_IsRefusedOrWhole()
     {
         byte[] file = JpegFiles.Read("420-restarts.jpg");
-        byte[] whole = JpegFiles.Decode(file, "x").Pixels;
-        var decoder = new JpegDecoder(mayUseLibrary: false);
-        byte[] pixels = new byte[whole.Length];
-        int refused = 0;
-        for (int length = 0; length < file.Length; length++)
-        {
-            try
-            {
-                decoder.Open(file, 0, length, "x");
-                decoder.Decode(pixels);
-                Assert.Equal(whole, pixels);
-            }
-            catch (PictureException)
-            {
-                refused++;
-            }
-        }
+
+        int refused = JpegFiles.CountRefusedCuts(file, mayUseLibrary: false);
 
         Assert.InRange(refused, file.Length - 4, file.Length - 1);
     }

@@ -4,6 +4,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using Rabit.Tests.Shared;
+using Xunit;
 
 namespace Rabit.Vision.Tests.Jpeg;
 
@@ -26,6 +27,31 @@ internal static class JpegFiles
         byte[] pixels = new byte[decoder.Width * decoder.Height * 3];
         decoder.Decode(pixels);
         return new RgbPicture(decoder.Width, decoder.Height, pixels);
+    }
+
+    /// <summary>Decodes the file cut after each of its bytes: what is not refused must have all pixels.</summary>
+    /// <returns>How often it was refused.</returns>
+    public static int CountRefusedCuts(byte[] file, bool mayUseLibrary)
+    {
+        byte[] whole = Decode(file, "x", mayUseLibrary).Pixels;
+        var decoder = new JpegDecoder(mayUseLibrary);
+        byte[] pixels = new byte[whole.Length];
+        int refused = 0;
+        for (int length = 0; length < file.Length; length++)
+        {
+            try
+            {
+                decoder.Open(file, 0, length, "x");
+                decoder.Decode(pixels);
+                Assert.Equal(whole, pixels);
+            }
+            catch (PictureException)
+            {
+                refused++;
+            }
+        }
+
+        return refused;
     }
 
     /// <summary>FNV-1a of 64 bits over every sample, or over the first of three.</summary>

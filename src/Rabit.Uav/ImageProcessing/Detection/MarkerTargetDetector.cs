@@ -37,15 +37,7 @@ public sealed class MarkerTargetDetector : ITargetDetector
     /// <exception cref="ArgumentException">A class has no marker, or one that there is not.</exception>
     public MarkerTargetDetector(ImmutableArray<TargetClass> classes)
     {
-        string[] faults = TargetClass.FindFaults(classes).ToArray();
-        if (faults.Length == 0)
-        {
-            faults = classes.Where(c => c.Marker is null)
-                .Select(c => $"target class {c.Name} has no marker, which the marker detector needs").ToArray();
-        }
-
-        if (faults.Length > 0)
-            throw new ArgumentException("Marker detector: " + string.Join("; ", faults) + ".", nameof(classes));
+        DetectorClasses.Demand(classes, "marker", c => c.Marker is not null, nameof(classes));
         _detector = new MarkerDetector(new MarkerDetectorOptions
         {
             Families = classes.Select(c => c.Marker!.Family).Distinct().ToArray(),

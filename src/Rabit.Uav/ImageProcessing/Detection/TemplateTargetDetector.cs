@@ -38,15 +38,7 @@ public sealed class TemplateTargetDetector : ITargetDetector
     /// <exception cref="ArgumentException">A class has no template, or is of another size than that.</exception>
     public TemplateTargetDetector(ImmutableArray<TargetClass> classes)
     {
-        string[] faults = TargetClass.FindFaults(classes).ToArray();
-        if (faults.Length == 0)
-        {
-            faults = classes.Where(c => c.Template is null)
-                .Select(c => $"target class {c.Name} has no template, which the template detector needs").ToArray();
-        }
-
-        if (faults.Length > 0)
-            throw new ArgumentException("Template detector: " + string.Join("; ", faults) + ".", nameof(classes));
+        DetectorClasses.Demand(classes, "template", c => c.Template is not null, nameof(classes));
         _classes = classes;
         _scanners = classes.Select(c => new TemplateScanner(c.Template!)).ToArray();
     }

@@ -36,20 +36,13 @@ public sealed class ProcessCamera : ICamera
     private readonly CameraPictures _pictures;
     private readonly PictureRate _rate;
     private readonly RestartDelay _delay;
+    private readonly CameraJournal _journal;
     private readonly LineLimit _lines;
     private ReaderContext? _context;
     private ChildProcess? _process;
     private ITimer? _stall;
     private TimeSpan _arrived;
     private long _number;
-    private long _delivered;
-    private long _refused;
-    private long _skipped;
-    private long _withoutBuffer;
-    private long _restarts;
-    private Action<string>? _log;
-    private string? _fault;
-    private string? _lastFault;
     private volatile bool _isStalled;
     private volatile bool _isStopping;
 
@@ -66,6 +59,7 @@ public sealed class ProcessCamera : ICamera
         _pictures = new CameraPictures(_options.Program, _options.Width, _options.Height);
         _rate = new PictureRate(_options.MaxFramesPerSecond);
         _delay = new RestartDelay(_options.FirstRestartDelay, _options.MaxRestartDelay);
+        _journal = new CameraJournal(_options.Program);
         _lines = new LineLimit(Log);
     }
 
@@ -76,39 +70,30 @@ public sealed class ProcessCamera : ICamera
     public string Name => _options.Program;
 
     /// <inheritdoc/>
-    public CameraStatistics Statistics => new()
-    {
-        Delivered = PicturesDelivered,
-        Refused = PicturesRefused,
-        Skipped = PicturesSkipped,
-        WithoutBuffer = PicturesWithoutBuffer,
-        Restarts = Restarts,
-        Fault = Volatile.Read(ref _fault),
-        LastFault = LastFault,
-    };
+    public CameraStatistics Statistics => _journal.Statistics;
 
     /// <summary>Pictures delivered.</summary>
-    public long PicturesDelivered => Interlocked.Read(ref _delivered);
+    public long PicturesDelivered => Statistics.Delivered;
 
     /// <summary>Pictures that could not be decoded, or have another size than the camera's.</summary>
-    public long PicturesRefused => Interlocked.Read(ref _refused);
+    public long PicturesRefused => Statistics.Refused;
 
     /// <summary>
     /// Pictures that were not decoded because a newer one had come, or more come than are wanted.
     /// </summary>
-    public long PicturesSkipped => Interlocked.Read(ref _skipped);
+    public long PicturesSkipped => Statistics.Skipped;
 
     /// <summary>Pictures lost because no buffer was free.</summary>
-    public long PicturesWithoutBuffer => Interlocked.Read(ref _withoutBuffer);
+    public long PicturesWithoutBuffer => Statistics.WithoutBuffer;
 
     /// <summary>How often the program was started again, or it was tried.</summary>
-    public long Restarts => Interlocked.Read(ref _restarts);
+    public long Restarts => Statistics.Restarts;
 
     /// <summary>What went wrong last, one line; null if nothing did.</summary>
-    public string? LastFault => Volatile.Read(ref _lastFault);
+    public string? LastFault => Statistics.LastFault;
 
     /// <inheritdoc/>
-    public void LogTo(Action<string>? log) => Volatile.Write(ref _log, log);
+    public void LogTo(Action<string>? log) => _journal.LogTo(log);
 
     /// <inheritdoc/>
     public void Open(ReaderContext context)
@@ -131,7 +116,6 @@ public sealed class ProcessCamera : ICamera
             if (TryTakeNewest(out value))
             {
                 _delay.Reset();
-                Volatile.Write(ref _fault, null);
                 return ReaderStep.Value;
             }
 
@@ -177,7 +161,7 @@ public sealed class ProcessCamera : ICamera
     {
         if (_context!.Now < _delay.Due)
             return false;
-        Interlocked.Increment(ref _restarts);
+        _journal.Restart();
         return TryStart();
     }
 
@@ -220,9 +204,7 @@ public sealed class ProcessCamera : ICamera
     private void Fail(string reason, string next)
     {
         End();
-        string fault = $"{_options.Program}: {reason}";
-        Volatile.Write(ref _fault, fault);
-        Volatile.Write(ref _lastFault, fault);
+        string fault = _journal.Fail(reason);
         TimeSpan delay = _delay.Begin(_context!.Now);
         Log(FormattableString.Invariant($"{fault}; {next} in {delay.TotalSeconds} s"));
     }
@@ -230,7 +212,7 @@ public sealed class ProcessCamera : ICamera
     private void Log(string line)
     {
         _options.Log?.Invoke(line);
-        Volatile.Read(ref _log)?.Invoke(line);
+        _journal.WriteLine(line);
     }
 
     private void End()
@@ -273,7 +255,7 @@ public sealed class ProcessCamera : ICamera
         long number = _number++;
         if (!_pool.TryRent("process camera", out BufferLease lease))
         {
-            Interlocked.Increment(ref _withoutBuffer);
+            _journal.MissBuffer();
             return false;
         }
 
@@ -288,7 +270,7 @@ public sealed class ProcessCamera : ICamera
             return false;
         }
 
-        Interlocked.Increment(ref _delivered);
+        _journal.Deliver();
         frame = new CameraFrame
         {
             Pixels = lease,
@@ -316,16 +298,12 @@ public sealed class ProcessCamera : ICamera
     {
         if (!_rate.IsLimited)
             _number++;
-        Interlocked.Increment(ref _skipped);
+        _journal.Skip();
     }
 
     private void Refuse(string reason)
     {
-        Interlocked.Increment(ref _refused);
-        string fault = $"{_options.Program}: {reason}";
-        if (!string.Equals(fault, _lastFault, StringComparison.Ordinal))
-            _lines.Add(fault, _context!.Now);
-        Volatile.Write(ref _fault, fault);
-        Volatile.Write(ref _lastFault, fault);
+        if (_journal.Refuse(reason) is { } line)
+            _lines.Add(line, _context!.Now);
     }
 }

@@ -45,20 +45,13 @@ public sealed class V4l2Camera : ICamera
     private readonly CameraPictures _pictures;
     private readonly PictureRate _rate;
     private readonly RestartDelay _delay;
+    private readonly CameraJournal _journal;
     private byte[] _bytes = [];
     private ReaderContext? _context;
     private V4l2Device? _device;
     private TimeSpan _lastBuffer;
     private uint? _lastSequence;
     private long _number = -1;
-    private long _delivered;
-    private long _refused;
-    private long _skipped;
-    private long _withoutBuffer;
-    private long _restarts;
-    private Action<string>? _log;
-    private string? _fault;
-    private string? _lastFault;
     private volatile bool _isStopping;
 
     /// <summary>Makes the camera; the device is opened when the run begins.</summary>
@@ -76,6 +69,7 @@ public sealed class V4l2Camera : ICamera
             throw new ArgumentException(
                 $"The camera {options.Device}: video devices are read on Linux only.", nameof(options));
         _system = system;
+        _journal = new CameraJournal(_options.Device);
         _pool = new BufferPool("camera " + _options.Device, _options.Buffers, _options.Width * _options.Height * 3);
         _pictures = new CameraPictures(_options.Device, _options.Width, _options.Height);
         _rate = new PictureRate(_options.FramesPerSecond);
@@ -89,19 +83,10 @@ public sealed class V4l2Camera : ICamera
     public string Name => _options.Device;
 
     /// <inheritdoc/>
-    public CameraStatistics Statistics => new()
-    {
-        Delivered = Interlocked.Read(ref _delivered),
-        Refused = Interlocked.Read(ref _refused),
-        Skipped = Interlocked.Read(ref _skipped),
-        WithoutBuffer = Interlocked.Read(ref _withoutBuffer),
-        Restarts = Interlocked.Read(ref _restarts),
-        Fault = Volatile.Read(ref _fault),
-        LastFault = Volatile.Read(ref _lastFault),
-    };
+    public CameraStatistics Statistics => _journal.Statistics;
 
     /// <inheritdoc/>
-    public void LogTo(Action<string>? log) => Volatile.Write(ref _log, log);
+    public void LogTo(Action<string>? log) => _journal.LogTo(log);
 
     /// <inheritdoc/>
     public void Open(ReaderContext context)
@@ -109,7 +94,7 @@ public sealed class V4l2Camera : ICamera
         _context = context ?? throw new ArgumentNullException(nameof(context));
         _delay.Reset();
         if (_options.Format == V4l2PixelFormat.Mjpeg)
-            Volatile.Read(ref _log)?.Invoke($"{_options.Device}: {_pictures.EngineText}");
+            _journal.Log(_pictures.EngineText);
         TryOpen();
     }
 
@@ -126,7 +111,6 @@ public sealed class V4l2Camera : ICamera
                 if (_device!.Wait(WaitMilliseconds) && TryTake(_device, out value))
                 {
                     _delay.Reset();
-                    Volatile.Write(ref _fault, null);
                     return ReaderStep.Value;
                 }
 
@@ -152,7 +136,7 @@ public sealed class V4l2Camera : ICamera
     {
         if (_context!.Now < _delay.Due)
             return false;
-        Interlocked.Increment(ref _restarts);
+        _journal.Restart();
         return TryOpen();
     }
 
@@ -164,9 +148,9 @@ public sealed class V4l2Camera : ICamera
             (_lastBuffer, _lastSequence) = (_context!.Now, null);
             if (_bytes.Length < _device.MaxBytes)
                 _bytes = new byte[_device.MaxBytes];
-            Volatile.Read(ref _log)?.Invoke($"{_options.Device}: {_device.Card}");
+            _journal.Log(_device.Card);
             foreach (string missing in _device.Controls.Missing)
-                Volatile.Read(ref _log)?.Invoke($"{_options.Device}: it has no control of its {missing}");
+                _journal.Log($"it has no control of its {missing}");
             return true;
         }
         catch (VideoDeviceException e)
@@ -179,12 +163,9 @@ public sealed class V4l2Camera : ICamera
     private void Fail(string reason)
     {
         End();
-        string fault = $"{_options.Device}: {reason}";
-        Volatile.Write(ref _fault, fault);
-        Volatile.Write(ref _lastFault, fault);
+        string fault = _journal.Fail(reason);
         TimeSpan delay = _delay.Begin(_context!.Now);
-        Volatile.Read(ref _log)?.Invoke(
-            FormattableString.Invariant($"{fault}; it is opened again in {delay.TotalSeconds} s"));
+        _journal.WriteLine(FormattableString.Invariant($"{fault}; it is opened again in {delay.TotalSeconds} s"));
     }
 
     private void End()
@@ -202,7 +183,7 @@ public sealed class V4l2Camera : ICamera
         while (device.TryDequeue(out V4l2Buffer next))
         {
             device.Queue(newest.Index);
-            Interlocked.Increment(ref _skipped);
+            _journal.Skip();
             newest = next;
         }
 
@@ -212,7 +193,7 @@ public sealed class V4l2Camera : ICamera
         if (!_rate.Takes(now))
         {
             device.Queue(newest.Index);
-            Interlocked.Increment(ref _skipped);
+            _journal.Skip();
             return false;
         }
 
@@ -240,7 +221,7 @@ public sealed class V4l2Camera : ICamera
             device.Queue(buffer.Index);
             if (!isRented)
             {
-                Interlocked.Increment(ref _withoutBuffer);
+                _journal.MissBuffer();
                 return false;
             }
 
@@ -261,7 +242,7 @@ public sealed class V4l2Camera : ICamera
 
         frame = Stamp(device, buffer, now, monotonic);
         frame.Pixels = lease;
-        Interlocked.Increment(ref _delivered);
+        _journal.Deliver();
         return true;
     }
 
@@ -302,11 +283,7 @@ public sealed class V4l2Camera : ICamera
 
     private void Refuse(string reason)
     {
-        Interlocked.Increment(ref _refused);
-        string fault = $"{_options.Device}: {reason}";
-        if (!string.Equals(fault, _lastFault, StringComparison.Ordinal))
-            Volatile.Read(ref _log)?.Invoke(fault);
-        Volatile.Write(ref _fault, fault);
-        Volatile.Write(ref _lastFault, fault);
+        if (_journal.Refuse(reason) is { } line)
+            _journal.WriteLine(line);
     }
 }
