@@ -20,6 +20,9 @@ internal sealed class EndpointLock
     public EndpointLock(bool inheritsPriority)
         => _mutex = inheritsPriority && PriorityInheritanceMutex.IsThere ? new PriorityInheritanceMutex() : null;
 
+    /// <summary>Whether it lends its holder the priority of those who wait.</summary>
+    public bool InheritsPriority => _mutex is not null;
+
     /// <summary>Waits until no other thread holds the lock, and holds it until the result is disposed.</summary>
     public Holder Enter()
     {

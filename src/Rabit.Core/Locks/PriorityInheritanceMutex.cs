@@ -30,7 +30,6 @@ namespace Rabit.Core.Locks;
 internal sealed unsafe class PriorityInheritanceMutex
 {
     private const int ThreadIdBits = 0x3FFFFFFF;    // FUTEX_TID_MASK
-    private const int OwnerDied = 0x40000000;       // FUTEX_OWNER_DIED
 
     // 0: free; else the holder, and the kernel's bits. Written by threads that enter and leave, and by the kernel.
     private readonly NativeWord _word = new();
@@ -85,9 +84,7 @@ internal sealed unsafe class PriorityInheritanceMutex
             int error = InheritanceFutex.Lock(_word.Address);
             switch (error)
             {
-                case 0:
-                    ForgetDeadOwner();
-                    return;
+                case 0:   // also where a holder that ended has left a bit, which goes when the kernel hands it on
                 case SystemErrors.NoSuchProcess when TryReplaceEnded(thread):
                     return;
                 case SystemErrors.NoSuchProcess:
@@ -99,18 +96,6 @@ internal sealed unsafe class PriorityInheritanceMutex
                     throw Failure("entered", error);
             }
         }
-    }
-
-    // The holder ended while others waited: the kernel has handed it on, and says so by a bit that stays.
-    private void ForgetDeadOwner()
-    {
-        int word;
-        do
-        {
-            word = Volatile.Read(ref *_word.Address);
-        }
-        while ((word & OwnerDied) != 0
-            && Interlocked.CompareExchange(ref *_word.Address, word & ~OwnerDied, word) != word);
     }
 
     // The holder ended and no one waited: the kernel knows no such thread.

@@ -36,6 +36,9 @@ internal sealed partial class LockedQueue<T>(
     private long _rejected;
     private bool _isClosed;
 
+    /// <summary>Whether its lock does so.</summary>
+    public bool InheritsPriority => _gate.InheritsPriority;
+
     public override int Count
     {
         get

@@ -19,6 +19,7 @@ public sealed class SlotExplorationTests(ITestOutputHelper output)
         { "Weak", "3", 1, 1, 0 },
         { "Weak", "3", 1, 1, 1 },
         { "Weak", "4", 1, 2, 1 },
+        { "Weak", "5", 1, 1, 1 },   // fewer posts do not need the fences that a fetcher demands
         { "StoreBuffers", "4", 1, 2, 2 },
         { "StoreBuffers", "4", 2, 1, 1 },
         { "Weak", "1 1", 1, 1, 1 },

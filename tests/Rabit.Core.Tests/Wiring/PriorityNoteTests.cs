@@ -1,11 +1,20 @@
 using System;
 using System.Linq;
+using Rabit.Core.Diagnostics;
+using Rabit.Core.Locks;
+using Rabit.Core.Queues;
 using Rabit.Core.Tests.Contracts;
+using Rabit.Core.Tests.Time;
+using Rabit.Core.Time;
+using Rabit.Core.WakeUp;
+using Rabit.Core.Wiring;
 using Xunit;
 
 namespace Rabit.Core.Tests.Wiring;
 
-/// <summary>Contract 1.8: the note on a manager of a real-time priority that may find a queue locked.</summary>
+/// <summary>
+/// Contract 1.8: the lock of a queue that a manager of a real-time priority uses, and the note on it.
+/// </summary>
 public sealed class PriorityNoteTests
 {
     [Theory, Trait("Clause", "1.8"), Trait("Clause", "4.2")]
@@ -31,6 +40,27 @@ public sealed class PriorityNoteTests
             Assert.StartsWith(
                 "manager 'sender' of a real-time priority may wait for the lock of queue 'orders', for as long as ",
                 notes[0], StringComparison.Ordinal);
+    }
+
+    [Theory, Trait("Clause", "1.8")]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void LockOfAQueue_InheritsThePriority_WhereAManagerHasAskedForOne(bool hasPriority)
+    {
+        var sender = new EndpointOwner("sender", isManager: true, new WakeUpEvent()) { HasPriority = hasPriority };
+        var receiver = new EndpointOwner("receiver", isManager: true, new WakeUpEvent());
+        var receiving = new QueueBinding<int>(receiver, EndpointRole.Receive, "orders")
+        {
+            Capacity = 8,
+            FullMode = QueueFullMode.DropOldest,
+        };
+        var clock = new RunClock(new ManualClock());
+
+        var queue = (LockedQueue<int>)receiving.CreateConnector(
+            [receiving, new QueueBinding<int>(sender, EndpointRole.Send, "orders")], clock,
+            new RabitLog(null, logRuns: false, clock));
+
+        Assert.Equal(hasPriority && PriorityInheritanceMutex.IsThere, queue.InheritsPriority);
     }
 
     private sealed class Sender : RabitManager
