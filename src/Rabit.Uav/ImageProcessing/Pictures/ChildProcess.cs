@@ -8,8 +8,8 @@ using System.Text;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// A program whose standard output is read, and that ends with this one: it is killed when this is disposed or the
-/// process exits; if that is killed itself, its pipe breaks, which ends a program that writes.
+/// A program whose standard output is read, and that ends with this one: it is killed, with what it has started, when
+/// this is disposed or the process exits; if that is killed itself, its pipe breaks, which ends a program that writes.
 /// </summary>
 internal sealed class ChildProcess : IDisposable
 {
@@ -67,11 +67,7 @@ internal sealed class ChildProcess : IDisposable
     {
         try
         {
-#if NET
-            _process.Kill(entireProcessTree: true);
-#else
-            _process.Kill();
-#endif
+            ProcessTree.Kill(_process);
         }
         catch (Exception e) when (e is InvalidOperationException or Win32Exception or NotSupportedException)
         {

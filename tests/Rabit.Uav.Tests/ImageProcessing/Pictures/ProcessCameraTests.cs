@@ -184,6 +184,20 @@ public sealed class ProcessCameraTests : IDisposable
         Assert.Contains("sh: " + string.Concat(arguments.Select(a => $"<{a}>")), _log);
     }
 
+    [ShellFact]
+    public void Stop_ProgramThatHasStartedOthers_EndsThemToo()
+    {
+        if (!Directory.Exists("/proc/self"))
+            return;   // the programs are looked up there
+        ProcessCameraOptions options = Options(
+            "cat \"$1\"; (sleep 600 & echo pid=$! >&2; wait); wait", Path.Combine(Jpegs, "420.jpg"));
+
+        Run(options, 1, out _, until: () => _log.Any(line => line.Contains("pid=")));
+
+        string pid = _log.First(line => line.Contains("pid=")).Split('=')[1];
+        Assert.True(SpinWait.SpinUntil(() => HasEnded(pid), MaxWait), $"process {pid} goes on");
+    }
+
     [Fact]
     public void New_OptionsThatAreNone_AreRefused()
     {
@@ -193,6 +207,20 @@ public sealed class ProcessCameraTests : IDisposable
             new ProcessCameraOptions { Program = "sh", Width = 4, Height = 4, StallTimeout = TimeSpan.Zero }));
         Assert.Throws<ArgumentException>(() => new ProcessCamera(
             new ProcessCameraOptions { Program = "sh", Width = 4, Height = 4, MaxFramesPerSecond = 0 }));
+    }
+
+    // Also true of one that has ended but was not yet waited for.
+    private static bool HasEnded(string pid)
+    {
+        try
+        {
+            string stat = File.ReadAllText($"/proc/{pid}/stat");
+            return stat[stat.LastIndexOf(')') + 2] is 'Z' or 'X';
+        }
+        catch (IOException)
+        {
+            return true;
+        }
     }
 
     private ProcessCameraOptions Options(string script, params string[] arguments) => new()
