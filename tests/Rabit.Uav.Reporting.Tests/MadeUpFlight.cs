@@ -21,7 +21,10 @@ internal static class MadeUpFlight
 
     /// <param name="finds">How many of the five targets are found.</param>
     /// <param name="hasFalseTrack">Whether a track is confirmed where there is nothing.</param>
-    public static FlightRecord Record(int finds = 5, bool hasFalseTrack = false)
+    /// <param name="group">What it knows of its group.</param>
+    /// <param name="roles">What it did for it.</param>
+    public static FlightRecord Record(
+        int finds = 5, bool hasFalseTrack = false, GroupStatus group = default, GroupRole[]? roles = null)
     {
         var flight = new MadeUpPath();
         return new FlightRecord
@@ -73,6 +76,8 @@ internal static class MadeUpFlight
                     DistanceFromHomeMetres = 0.64
                 },
             },
+            Group = group,
+            GroupRoles = roles ?? [],
             Pictures = MadeUpTargets.Tracks(finds, hasFalseTrack).Where(t => t.BestPictureNumber >= 0)
                 .SelectMany(MadeUpTargets.Chips).ToArray(),
             Overviews = MadeUpTargets.Tracks(finds, hasFalseTrack).Where(t => t.Id != MadeUpTargets.FalseTrackId)

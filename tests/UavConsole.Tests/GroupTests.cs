@@ -11,7 +11,7 @@ public sealed class GroupTests : IDisposable
     private readonly TestLog _folder = new();
 
     [Fact]
-    public void Vehicles_Two_SearchTogetherAndLeaveAReportEach()
+    public void Vehicles_Two_SearchTogetherAndLeaveAReportOfTheGroupAndOneEach()
     {
         string mission = Path.Combine(_folder.Folder, SmallMission.WriteTo(_folder.Folder));
         const string Colours = "\"red\", \"orange\", \"blue\", \"yellow\", \"magenta\"";
@@ -29,10 +29,14 @@ public sealed class GroupTests : IDisposable
         Assert.Contains("1 of 1 targets found, 0 false", string.Join("\n", console.Output));
         Assert.Single(console.Output, l => l.Contains(": found by vehicle ")
             && l.EndsWith(" confirmed", StringComparison.Ordinal));
+        string group = File.ReadAllText(Path.Combine(_folder.Folder, "r.html"));
+        Assert.Contains("Mission accomplished", group);
+        Assert.Contains("confirmed</dd>", group);
         for (int vehicle = 1; vehicle <= 2; vehicle++)
         {
             string page = File.ReadAllText(Path.Combine(_folder.Folder, $"r-vehicle-{vehicle}.html"));
             Assert.Contains($"vehicle {vehicle} of 2", page);
+            Assert.Contains($"href=\"r-vehicle-{vehicle}.html\"", group);
         }
     }
 

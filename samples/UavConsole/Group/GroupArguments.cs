@@ -16,7 +16,7 @@ internal static class GroupArguments
     {
         Description = "How many simulated vehicles search the area together, 1 to "
             + $"{SimulatedGroupOptions.MaxVehicles}. They divide its lanes, each flies 17 m above the one before it, "
-            + "and each has a report of its own. 1 without it.",
+            + "and beside the report of the group each has one of its own. 1 without it.",
         HelpName = "N",
         CustomParser = Parse,
     };

@@ -18,6 +18,10 @@ internal sealed class GroupFlight : IDisposable
     // vehicle would be too high for the smallest target.
     private const double LayerSpacingMetres = 17;
 
+    private static readonly TimeSpan RadioSamplePeriod = TimeSpan.FromSeconds(1);
+
+    private TimeSpan _nextRadioSample;
+
     private GroupFlight(SimulatedGroup group, MissionFile file, MissionPlan mission)
         => (Group, MissionFile, Mission) = (group, file, SimulatedLook.Declare(mission, group.Vehicles[0].World));
 
@@ -67,6 +71,16 @@ internal sealed class GroupFlight : IDisposable
         return flight;
     }
 
+    /// <summary>Notes once a second what each vehicle has sent. The thread that simulates.</summary>
+    public void SampleRadio()
+    {
+        if (Group.Now < _nextRadioSample)
+            return;
+        _nextRadioSample += RadioSamplePeriod;
+        foreach (GroupVehicle vehicle in Vehicles)
+            vehicle.RadioSamples.Add(new RadioSample(Group.Now, Group.RadioOf(vehicle.Number).BytesSent));
+    }
+
     public void Dispose()
     {
         Group.Finish();
@@ -104,7 +118,7 @@ internal sealed class GroupFlight : IDisposable
         var log = new RunLog(file, $"vehicle {FlightText.Number(number + 1)}: ");
         UavSystem uav = UavSystem.Open(uavOptions);
         RabitReactor reactor = uav.CreateReactor(new ReactorOptions { StopsOnSignals = false, Log = log.Add });
-        Vehicles.Add(new GroupVehicle(simulated, uav, reactor, log));
+        Vehicles.Add(new GroupVehicle(number, simulated, uav, reactor, log));
         Group.Attach(number, reactor);
     }
 }

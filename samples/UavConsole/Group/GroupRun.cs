@@ -68,9 +68,10 @@ internal static class GroupRun
         foreach (GroupVehicle vehicle in flight.Vehicles)
             vehicle.Refresh();
         FlightSummary[] summaries = flight.Vehicles.Select(v => Summarise(flight, v, options)).ToArray();
-        var summary = new GroupSummary(flight, summaries);
+        GroupFlightSummary summary = GroupSummary.Of(
+            flight, summaries, options, files.Reports.Skip(1).Select(r => r.Path).ToArray());
         GroupSummaryText.Write(Console.Out, summary);
-        string?[] losses = [.. WriteReports(files, summaries), files.Log?.Loss, lost, output.Loss];
+        string?[] losses = [.. WriteReports(files, summary), files.Log?.Loss, lost, output.Loss];
         foreach (string loss in losses.OfType<string>())
             Console.Error.WriteLine("UavConsole: " + FlightRun.FirstLine(loss));
         return losses.Any(l => l is not null) ? BadInput : summary.HasPassed ? 0 : 1;
@@ -85,6 +86,7 @@ internal static class GroupRun
         while (!stop.IsCancellationRequested && group.Now < MaxSimulation)
         {
             group.Step();
+            flight.SampleRadio();
             if (isRealTime && group.Now - clock.Elapsed is { } ahead && ahead > TimeSpan.Zero)
                 stop.WaitHandle.WaitOne(ahead);
             bool isOver = flight.Vehicles.All(v => v.FetchIsOver());
@@ -142,16 +144,26 @@ internal static class GroupRun
         };
     }
 
-    private static IEnumerable<string?> WriteReports(RunFiles files, FlightSummary[] summaries)
+    private static IEnumerable<string?> WriteReports(RunFiles files, GroupFlightSummary summary)
     {
-        for (int i = 0; i < summaries.Length; i++)
+        if (files.Report is null)
+            yield break;
+        using var page = new StringWriter();
+        GroupHtmlReport.Write(page, summary);
+        yield return Write(files.Report, page, "report of the group");
+        for (int i = 0; i < summary.Vehicles.Count; i++)
         {
-            using var page = new StringWriter();
-            HtmlReport.Write(page, summaries[i]);
-            string? failure = files.Reports[i].Write(Encoding.UTF8.GetBytes(page.ToString()));
-            if (failure is null)
-                Console.WriteLine("report: " + Path.GetFullPath(files.Reports[i].Path));
-            yield return failure;
+            using var own = new StringWriter();
+            HtmlReport.Write(own, summary.Vehicles[i].Flight);
+            yield return Write(files.Reports[i + 1], own, "report");
         }
+    }
+
+    private static string? Write(WholeFile file, StringWriter page, string name)
+    {
+        string? failure = file.Write(Encoding.UTF8.GetBytes(page.ToString()));
+        if (failure is null)
+            Console.WriteLine(name + ": " + Path.GetFullPath(file.Path));
+        return failure;
     }
 }

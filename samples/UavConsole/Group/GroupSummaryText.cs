@@ -10,23 +10,23 @@ namespace UavConsole;
 /// <summary>Writes the summary of a group for people.</summary>
 internal static class GroupSummaryText
 {
-    public static void Write(TextWriter output, GroupSummary summary)
+    public static void Write(TextWriter output, GroupFlightSummary summary)
     {
-        int count = summary.Vehicles.Count;
-        output.WriteLine($"--- summary of {FlightText.Number(count)} vehicles ---");
+        output.WriteLine($"--- summary of {FlightText.Number((long)summary.Vehicles.Count)} vehicles ---");
         output.WriteLine("mission: " + (summary.HasPassed ? "ACCOMPLISHED" : "FAILED"));
         foreach (string failure in summary.Failures)
             output.WriteLine("  failed: " + failure);
         output.WriteLine(string.Format(
             CultureInfo.InvariantCulture, "{0} from the first take-off to the last landing, {1:0.0} % of the area seen",
             FlightText.Clock(summary.FlightTime), summary.Coverage * 100));
+        MissionScore score = summary.Score!; // the truth of a simulation is known
         output.WriteLine(string.Format(
-            CultureInfo.InvariantCulture, "{0} of {1} targets found, {2} false; {3:0.0} m RMS", summary.Score.Found,
-            summary.Score.Targets.Count, summary.Score.FalseTracks.Count, summary.Score.RmseMetres));
+            CultureInfo.InvariantCulture, "{0} of {1} targets found, {2} false; {3:0.0} m RMS", score.Found,
+            score.Targets.Count, score.FalseTracks.Count, score.RmseMetres));
         foreach (ValidationTask task in summary.Validations)
             output.WriteLine(Of(task));
-        for (int i = 0; i < count; i++)
-            output.WriteLine(Of(summary, i));
+        foreach (GroupVehicleSummary vehicle in summary.Vehicles)
+            output.WriteLine(Of(vehicle));
     }
 
     /// <summary>Two vehicles that came too near to each other.</summary>
@@ -45,16 +45,16 @@ internal static class GroupSummaryText
             : "NOT VALIDATED");
     }
 
-    private static string Of(GroupSummary summary, int vehicle)
+    private static string Of(GroupVehicleSummary vehicle)
     {
-        MissionSummary mission = summary.Vehicles[vehicle].Mission!;
-        RadioCounters radio = summary.Group.RadioOf(vehicle);
+        MissionSummary mission = vehicle.Flight.Mission!;
+        RadioUse radio = vehicle.Radio!;
         return string.Format(
             CultureInfo.InvariantCulture,
             "vehicle {0}: {1}, {2} lanes flown, {3:0} m in {4}, {5:0} % of the battery; radio {6} frames, "
                 + "{7:0.00} kbit/s",
-            vehicle + 1, FlightText.Phase(mission.Phase), mission.LanesFlown, mission.FlownMetres,
+            vehicle.SystemId, FlightText.Phase(mission.Phase), mission.LanesFlown, mission.FlownMetres,
             FlightText.Clock(mission.FlightTime), mission.BatteryUsedPercent, radio.FramesSent,
-            radio.BytesSent * 8 / 1000.0 / summary.Group.Now.TotalSeconds);
+            radio.KilobitsPerSecond);
     }
 }

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core;
 using Rabit.Uav;
@@ -14,9 +15,10 @@ internal sealed class GroupVehicle
     private readonly MessageSubscriber<GroupStatus> _status; // of the thread of the view
     private readonly MessageSubscriber<MissionStatus> _mission; // of the thread that simulates
 
-    public GroupVehicle(SimulatedGroupVehicle simulated, UavSystem uav, RabitReactor reactor, RunLog log)
+    public GroupVehicle(
+        int number, SimulatedGroupVehicle simulated, UavSystem uav, RabitReactor reactor, RunLog log)
     {
-        (Simulated, Uav, _reactor, Log) = (simulated, uav, reactor, log);
+        (Number, Simulated, Uav, _reactor, Log) = (number, simulated, uav, reactor, log);
         var recorder = new FlightRecorderManager(new FlightRecorderOptions
         {
             ManagerNames = reactor.Select(m => m.Name).ToArray(),
@@ -28,6 +30,12 @@ internal sealed class GroupVehicle
         _mission = reactor.Workspace.Subscribe<MissionStatus>(MessageNames.Mission);
         Monitor = new FlightMonitor(reactor, recorder, uav.LinkCount);
     }
+
+    /// <summary>Which of the group, from 0.</summary>
+    public int Number { get; }
+
+    /// <summary>What it had sent by radio, once a second; for the thread that simulates.</summary>
+    public List<RadioSample> RadioSamples { get; } = [];
 
     /// <summary>For the thread that simulates.</summary>
     public SimulatedGroupVehicle Simulated { get; }

@@ -26,7 +26,10 @@ internal sealed class RunFiles : IDisposable
     /// <summary>Null where none is wanted.</summary>
     public WholeFile? Report => Reports.Count > 0 ? Reports[0] : null;
 
-    /// <summary>One for each vehicle; none where none is wanted.</summary>
+    /// <summary>
+    /// The one of the only vehicle; of several vehicles that of the group and then one for each of them. None where
+    /// none is wanted.
+    /// </summary>
     public IReadOnlyList<WholeFile> Reports { get; }
 
     /// <summary>Null where none is wanted.</summary>
@@ -78,7 +81,7 @@ internal sealed class RunFiles : IDisposable
         return $"{StemOf(mission)}-{date}-report.html".TrimStart('-');
     }
 
-    // Of several vehicles each has its own: search-report.html is search-report-vehicle-1.html and so on.
+    // Beside that of the group each vehicle has its own: of search-report.html search-report-vehicle-1.html and so on.
     private static IEnumerable<string> ReportsOf(string? report, int vehicles)
     {
         if (report is null)
@@ -88,7 +91,7 @@ internal sealed class RunFiles : IDisposable
         return vehicles == 1
             ? [report]
             : Enumerable.Range(1, vehicles)
-                .Select(v => stem + "-vehicle-" + v.ToString(CultureInfo.InvariantCulture) + end);
+                .Select(v => stem + "-vehicle-" + v.ToString(CultureInfo.InvariantCulture) + end).Prepend(report);
     }
 
     private static void CheckTheyDiffer(IReadOnlyList<(string Option, string? Path)> files)

@@ -22,12 +22,14 @@ public sealed class HtmlReport
     private const int MaxCursorPoints = 600;
 
     private readonly PageWriter _page = new();
+    private readonly ReportShell _shell;
     private readonly FlightSummary _summary;
     private readonly MapFrame? _frame;
 
     private HtmlReport(FlightSummary summary)
     {
         _summary = summary;
+        _shell = new ReportShell(_page);
         _frame = MapFrame.Of(summary);
     }
 
@@ -40,19 +42,12 @@ public sealed class HtmlReport
             throw new ArgumentNullException(nameof(output));
         var report = new HtmlReport(summary ?? throw new ArgumentNullException(nameof(summary)));
         report.WritePage();
-        output.Write("<!DOCTYPE html>\n");
-        output.Write(report._page.ToString());
+        output.Write(report._shell.ToString());
     }
 
     private void WritePage()
     {
-        _page.Open("html", "lang", "en", "xmlns", "http://www.w3.org/1999/xhtml");
-        _page.Open("head").Empty("meta", "charset", "utf-8");
-        _page.Empty("meta", "name", "viewport", "content", "width=device-width, initial-scale=1");
-        _page.Empty("meta", "name", "color-scheme", "content", "light dark");
-        _page.Element("title", Title);
-        _page.Open("style").Raw(Resource("report.css")).Close().Close();
-        _page.Open("body").Open("main");
+        _shell.Begin(Title);
         WriteHead();
         if (_summary.Mission is { } mission)
             WriteTiles(mission);
@@ -61,9 +56,7 @@ public sealed class HtmlReport
         new ReportTargets(_page, _summary).Write();
         new ReportTimeLines(_page, _summary).Write();
         new ReportTables(_page, _summary).Write();
-        _page.Close();
-        WriteScript();
-        _page.Close().Close();
+        _shell.End(CursorPoints());
     }
 
     private string Title => _summary.Mission switch
@@ -122,43 +115,34 @@ public sealed class HtmlReport
         _page.Open("div", "class", "tiles");
         if (mission.Score is { } score)
         {
-            Tile(
+            _shell.Tile(
                 "targets found", $"{FlightText.Number(score.Found)} / {FlightText.Number(score.Targets.Count)}",
                 score.FalseTracks.Count == 0
                     ? "no false track"
                     : $"{FlightText.Number(score.FalseTracks.Count)} false");
-            Tile(
+            _shell.Tile(
                 "position error",
                 double.IsNaN(score.RmseMetres) ? "none" : $"{FlightText.Number(score.RmseMetres, "0.00")} m",
                 $"RMS; {FlightText.Number(score.InEllipse)} of {FlightText.Number(score.Found)} in their ellipse");
         }
 
         string lanes = mission.LanesFlown == 1 ? "1 lane" : FlightText.Number(mission.LanesFlown) + " lanes";
-        Tile(
+        _shell.Tile(
             "area covered", $"{FlightText.Number(mission.CoveragePercent, "0.0")} %",
             mission.RequiredCoveragePercent > 0
                 ? $"{FlightText.Number(mission.RequiredCoveragePercent, "0.#")} % required, {lanes} flown"
                 : lanes + " flown");
-        Tile("path flown", $"{FlightText.Number(mission.FlownMetres, "0")} m", mission.OutsideFenceMetres > 0
+        _shell.Tile("path flown", $"{FlightText.Number(mission.FlownMetres, "0")} m", mission.OutsideFenceMetres > 0
             ? $"{FlightText.Number(mission.OutsideFenceMetres, "0.0")} m outside the fence"
             : "inside the fence");
-        Tile("flight time", FlightText.Clock(mission.FlightTime) + " min", "motors on");
-        Tile("battery used", $"{FlightText.Number(mission.BatteryUsedPercent, "0")} %", mission.Energy.IsKnown
+        _shell.Tile("flight time", FlightText.Clock(mission.FlightTime) + " min", "motors on");
+        _shell.Tile("battery used", $"{FlightText.Number(mission.BatteryUsedPercent, "0")} %", mission.Energy.IsKnown
             ? $"of its capacity; {FlightText.Number(mission.Energy.ChargeLeft * 100, "0")} % are left by the energy model"
             : "of its capacity");
-        Tile(
+        _shell.Tile(
             "landed", mission.HasLanded ? $"{FlightText.Number(mission.DistanceFromHomeMetres, "0.0")} m" : "no",
             "from home");
         _page.Close();
-    }
-
-    private void Tile(string name, string value, string note)
-        => _page.Open("div", "class", "tile").Element("span", name).Element("b", value).Element("small", note).Close();
-
-    private void WriteScript()
-    {
-        _page.Open("script", "type", "application/json", "id", "flight").Raw(CursorPoints()).Close();
-        _page.Open("script").Raw(Resource("report.js")).Close();
     }
 
     // Numbers only: nothing from outside gets into the script.
@@ -180,13 +164,5 @@ public sealed class HtmlReport
                 v => double.IsNaN(v) || double.IsInfinity(v) ? "null" : FlightText.Number(v, "0.#"))) + "]";
         });
         return "[" + string.Join(",", points) + "]";
-    }
-
-    private static string Resource(string name)
-    {
-        using Stream stream = typeof(HtmlReport).Assembly.GetManifestResourceStream(
-            "Rabit.Uav.Reporting.Html." + name)!;
-        using var reader = new StreamReader(stream, Encoding.UTF8);
-        return reader.ReadToEnd();
     }
 }

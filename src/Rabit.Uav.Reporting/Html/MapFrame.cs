@@ -36,12 +36,16 @@ internal sealed class MapFrame
     public double Height { get; }
 
     /// <returns>Null where there is nothing to show.</returns>
-    public static MapFrame? Of(FlightSummary data)
+    public static MapFrame? Of(FlightSummary data) => Of([data]);
+
+    /// <returns>One for all of them; null where there is nothing to show.</returns>
+    public static MapFrame? Of(IReadOnlyCollection<FlightSummary> flights)
     {
-        List<GeodeticPosition> places = Places(data);
+        List<GeodeticPosition> places = flights.SelectMany(Places).ToList();
         if (places.Count == 0)
             return null;
-        var frame = LocalNedFrame.IgnoringGeoid(data.Record.Mission.Plan?.Home ?? places[0]);
+        SearchPlan? plan = flights.Select(f => f.Record.Mission.Plan).FirstOrDefault(p => p is not null);
+        var frame = LocalNedFrame.IgnoringGeoid(plan?.Home ?? places[0]);
         NedPosition[] points = places.Select(frame.ToNed).ToArray();
         double west = points.Min(p => p.East) - MarginMetres;
         double east = points.Max(p => p.East) + MarginMetres;

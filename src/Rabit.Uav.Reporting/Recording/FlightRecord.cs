@@ -79,6 +79,12 @@ public sealed class FlightRecord
     /// <summary>As last posted, with the confirmed tracks of targets that moved and are gone.</summary>
     public TrackList Tracks { get; init; } = TrackList.None;
 
+    /// <summary>As last posted; default where the vehicle is in no group.</summary>
+    public GroupStatus Group { get; init; }
+
+    /// <summary>What it did for its group, at each change, oldest first; none where it is in no group.</summary>
+    public IReadOnlyList<GroupRole> GroupRoles { get; init; } = [];
+
     /// <summary>Length of the path that was flown, metres: speed over ground and climb, integrated over time.</summary>
     public double FlownMetres { get; init; }
 

@@ -59,6 +59,7 @@ public sealed class FlightRecorderManager : RabitManager
     private readonly MessageSubscriber<ImagingStatus> _imaging;
     private readonly MessageSubscriber<CommandAuthority> _authority;
     private readonly MessageSubscriber<TrackList> _tracks;
+    private readonly MessageSubscriber<GroupStatus> _group;
     private readonly MessageSubscriber<ManagerStatus>[] _managers;
     private readonly QueueReceiver<LinkFrame> _frames;
     private readonly RecordKeeper _keeper;
@@ -81,6 +82,7 @@ public sealed class FlightRecorderManager : RabitManager
         _imaging = Subscribe<ImagingStatus>(MessageNames.Imaging, optional: true);
         _authority = Subscribe<CommandAuthority>(MessageNames.CommandAuthority, optional: true);
         _tracks = Subscribe<TrackList>(MessageNames.Tracks, optional: true);
+        _group = Subscribe<GroupStatus>(MessageNames.Group, optional: true);
         _frames = Receive<LinkFrame>(FramesQueue, FramesWaiting, QueueFullMode.Reject, wakeOnPush: false);
         string[] managers = options.ManagerNames.ToArray();
         _managers = managers.Select(name => SubscribeToStatus(name)).ToArray();
@@ -107,9 +109,10 @@ public sealed class FlightRecorderManager : RabitManager
         _imaging.Fetch();
         _authority.Fetch();
         _tracks.Fetch();
+        _group.Fetch();
         _keeper.Take(
             now, _vehicle.Value, _mission.Value, _health.Value, _imaging.Value, _authority.Value,
-            _tracks.Value ?? TrackList.None);
+            _tracks.Value ?? TrackList.None, _group.Value);
         if (now >= _nextManagers)
         {
             _nextManagers = now + ManagerPeriod;

@@ -41,6 +41,7 @@ internal sealed class RecordKeeper(
     private HealthReport _health;
     private ImagingStatus _imaging;
     private CommandAuthority _authority;
+    private readonly GroupRoles _group = new();
     private readonly MovingTrackMemory _moving = new();
     private TrackList _tracks = TrackList.None;
     private TimeSpan? _last;
@@ -56,7 +57,8 @@ internal sealed class RecordKeeper(
         in HealthReport health,
         in ImagingStatus imaging,
         in CommandAuthority authority,
-        TrackList tracks)
+        TrackList tracks,
+        in GroupStatus group)
     {
         lock (_gate)
         {
@@ -69,6 +71,7 @@ internal sealed class RecordKeeper(
             (_vehicle, _mission, _health) = (vehicle, mission, health);
             (_imaging, _authority, _tracks) = (imaging, authority, _moving.Take(tracks));
             _pictures.Take(tracks);
+            _group.Take(now, vehicle.SystemId, group);
             _samples.Add(Sample(now));
         }
     }
@@ -112,6 +115,8 @@ internal sealed class RecordKeeper(
                 Imaging = _imaging,
                 Authority = _authority,
                 Tracks = _tracks,
+                Group = _group.Latest,
+                GroupRoles = _group.ToArray(),
                 Pictures = _pictures.ToArray(),
                 Overviews = _pictures.OverviewsToArray(),
                 FlownMetres = _flownMetres,

@@ -1,0 +1,88 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.Reporting;
+
+/// <summary>
+/// Everything that is reported of several vehicles that searched one area together, for <see cref="GroupHtmlReport"/>.
+/// Immutable.
+/// </summary>
+/// <example>
+/// <code>
+/// var group = new GroupFlightSummary([new GroupVehicleSummary(1, summary)])   // and those of the others
+/// {
+///     Name = "search of a meadow",
+/// };
+/// using StreamWriter page = File.CreateText("group-report.html");
+/// GroupHtmlReport.Write(page, group);
+/// </code>
+/// </example>
+public sealed class GroupFlightSummary
+{
+    /// <summary>Makes a summary.</summary>
+    /// <param name="vehicles">The vehicles; they are kept in the order of their system ids.</param>
+    /// <exception cref="ArgumentException">There is none.</exception>
+    public GroupFlightSummary(IReadOnlyList<GroupVehicleSummary> vehicles)
+    {
+        if (vehicles is null)
+            throw new ArgumentNullException(nameof(vehicles));
+        if (vehicles.Count == 0)
+            throw new ArgumentException("A group has at least one vehicle.", nameof(vehicles));
+        Vehicles = vehicles.OrderBy(v => v.SystemId).ToArray();
+        Validations = Vehicles
+            .SelectMany(v => v.Flight.Record.Group.Validations.Where(t => t.Finder == v.SystemId))
+            .Where(t => t.State != ValidationState.Closed || t.Validator != 0).ToArray();
+    }
+
+    /// <summary>The vehicles, in the order of their system ids.</summary>
+    public IReadOnlyList<GroupVehicleSummary> Vehicles { get; }
+
+    /// <summary>
+    /// The targets that were to be validated by a second vehicle, as their finders know them; without those that were
+    /// left to the task of another finder.
+    /// </summary>
+    public IReadOnlyList<ValidationTask> Validations { get; }
+
+    /// <summary>How many of <see cref="Validations"/> a second vehicle confirmed.</summary>
+    public int Confirmed => Validations.Count(
+        t => t.State == ValidationState.Closed && t.Result == ValidationResult.Confirmed);
+
+    /// <summary>How much of the area was seen, as the vehicle knows it that knows the most, 0 to 1.</summary>
+    public double Coverage => Vehicles.Max(v => v.Flight.Record.Mission.Coverage);
+
+    /// <summary>What was flown, for the title; empty for no name.</summary>
+    public string Name { get; init; } = string.Empty;
+
+    /// <summary>What was flown, for people.</summary>
+    public string Source { get; init; } = string.Empty;
+
+    /// <summary>The command line of the program; empty for none.</summary>
+    public string CommandLine { get; init; } = string.Empty;
+
+    /// <summary>The seed of a simulated world; null for a real one.</summary>
+    public long? Seed { get; init; }
+
+    /// <summary>From the first take-off to the last landing.</summary>
+    public TimeSpan FlightTime { get; init; }
+
+    /// <summary>
+    /// The tracks of the vehicle that knows the most, compared with the truth; null where that is not known.
+    /// </summary>
+    public MissionScore? Score { get; init; }
+
+    /// <summary>What of it failed, for people; none where all was accomplished.</summary>
+    public IReadOnlyList<string> Failures { get; init; } = [];
+
+    /// <summary>Whether the group did what was asked for.</summary>
+    public bool HasPassed => Failures.Count == 0;
+
+    /// <summary>
+    /// The vehicle whose tracks the report shows: that with the most confirmed ones, of these the lowest system id.
+    /// </summary>
+    internal GroupVehicleSummary BestInformed => Vehicles
+        .FirstOrDefault(v => Score?.Targets.Any(t => t.Track is not null
+            && v.Flight.Record.Tracks.Tracks.Contains(t.Track)) == true)
+        ?? Vehicles.OrderByDescending(v => v.Flight.Record.Tracks.Confirmed.Count()).First();
+}

@@ -1,0 +1,150 @@
+using System;
+using System.Linq;
+using Rabit.Geodesy;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
+using Rabit.Vision;
+
+namespace Rabit.Uav.Reporting.Html;
+
+/// <summary>
+/// A card for each target of a group: who found it, who validated it with which result, and what each vehicle saw of
+/// it with its own camera.
+/// </summary>
+internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
+{
+    // Two vehicles locate one target as differently as that, but seldom; two targets of one class are farther apart.
+    private const double SamePlaceMetres = 10;
+
+    private readonly TrackList _tracks = data.BestInformed.Flight.Record.Tracks;
+
+    public void Write()
+    {
+        TargetTrack[] shown = _tracks.Tracks.Where(t => t.State != TrackState.Tentative).OrderBy(t => t.Id).ToArray();
+        if (shown.Length == 0 && data.Score is null)
+            return;
+        page.Open("section").Element("h2", "Targets, and who validated them").Element(
+            "p", $"As {GroupColours.Name(data.BestInformed.SystemId)} knows them, with its numbers; the pictures are "
+                + "those of each vehicle's own camera.", "class", "note");
+        page.Open("div", "class", "cards");
+        foreach (TargetTrack track in shown)
+            WriteTarget(track);
+        foreach (TargetScore missed in data.Score?.Targets.Where(t => !t.IsFound) ?? [])
+            WriteMissed(missed);
+        page.Close().Close();
+    }
+
+    private void WriteTarget(TargetTrack track)
+    {
+        TargetScore? target = data.Score?.Targets.FirstOrDefault(s => s.Track == track);
+        bool isFalse = data.Score?.FalseTracks.Contains(track) == true;
+        ValidationTask? task = TaskOf(track);
+        (string state, string kind) = isFalse ? ("false", "false") : StateOf(task, track);
+        Begin(kind, FlightText.Number((long)track.Id), track.Class, state);
+        WritePictures(track, task);
+        page.Open("dl");
+        if (target is not null)
+        {
+            Fact("is", target.Name);
+            Fact("error", $"{FlightText.Number(target.ErrorMetres, "0.00")} m");
+        }
+
+        WriteValidation(task, track);
+        page.Element("dt", "position").Open("dd").Element("span", TargetPlace.Decimal(track.Position), "class", "whole")
+            .CopyButton(TargetPlace.Decimal(track.Position), "copy position").Close();
+        Fact(
+            "95 % ellipse",
+            $"{FlightText.Number(track.Covariance.HalfMajorAxis95Metres, "0.0")} × "
+                + $"{FlightText.Number(track.Covariance.HalfMinorAxis95Metres, "0.0")} m");
+        Fact("seen", $"{FlightText.Clock(track.FirstSeen)} to {FlightText.Clock(track.LastSeen)}");
+        page.Close().Close();
+    }
+
+    private void WriteMissed(TargetScore target)
+    {
+        Begin("missed", target.Name, target.Class, "missed");
+        page.Element("p", "No vehicle has a confirmed track of this class within 10 m.", "class", "note").Close();
+    }
+
+    private void Begin(string kind, string name, TargetClassName targetClass, string state)
+    {
+        page.Open("article", "class", "card target " + kind).Open("h3");
+        page.Element("i", string.Empty, "class", "swatch", "style", "background:" + TargetClassNames.Css(targetClass));
+        page.Text(name + " ").Element("small", TargetClassNames.Name(targetClass))
+            .Element("b", state, "class", "state").Close();
+    }
+
+    private void WriteValidation(ValidationTask? found, TargetTrack track)
+    {
+        if (found is not { } task)
+        {
+            Fact("validation", track.Motion != TargetMotion.Standing
+                ? "none: targets that move are not validated"
+                : "none was asked for");
+            return;
+        }
+
+        Fact("found by", GroupColours.Name(task.Finder));
+        Fact("validated by", task.State == ValidationState.Closed
+            ? $"{GroupColours.Name(task.Validator)}: {task.Result.ToString().ToLowerInvariant()}"
+            : task.Validator == 0 ? "none: no vehicle could" : GroupColours.Name(task.Validator) + ": not finished");
+    }
+
+    private static (string State, string Kind) StateOf(ValidationTask? task, TargetTrack track) => task switch
+    {
+        { State: ValidationState.Closed, Result: ValidationResult.Confirmed } => ("validated", "found"),
+        { State: ValidationState.Closed, Result: ValidationResult.Rejected } => ("rejected", "false"),
+        null => (track.State == TrackState.Confirmed ? "found" : track.State.ToString().ToLowerInvariant(), "found"),
+        _ => ("not validated", "found alone"),
+    };
+
+    // The pictures of finder and validator first.
+    private void WritePictures(TargetTrack track, ValidationTask? task)
+    {
+        var pictures = data.Vehicles.Select((v, i) => (Vehicle: v, Index: i, Chip: ChipOf(v, track)))
+            .Where(p => p.Chip is not null)
+            .OrderBy(p => p.Vehicle.SystemId == task?.Finder ? 0 : p.Vehicle.SystemId == task?.Validator ? 1 : 2)
+            .ToArray();
+        if (pictures.Length == 0)
+            return;
+        page.Open("div", "class", "views");
+        foreach ((GroupVehicleSummary vehicle, int index, ImageChip? chip) in pictures)
+        {
+            page.Open("figure").Empty(
+                "img", "src", DataUri.Of(new RgbPicture(chip!.Width, chip.Height, chip.CopyPixels())), "alt",
+                $"What {GroupColours.Name(vehicle.SystemId)} saw of it").Open("figcaption");
+            GroupColours.WriteName(page, index, vehicle.SystemId);
+            page.Close().Close();
+        }
+
+        page.Close();
+    }
+
+    private static ImageChip? ChipOf(GroupVehicleSummary vehicle, TargetTrack track)
+    {
+        TargetTrack? own = vehicle.Flight.Record.Tracks.Tracks
+            .Where(t => t.Class == track.Class && t.MarkerId == track.MarkerId && t.BestPictureNumber >= 0)
+            .Select(t => (Track: t, Metres: Distance(t.Position, track.Position)))
+            .Where(t => t.Metres < SamePlaceMetres)
+            .OrderBy(t => t.Metres).Select(t => t.Track).FirstOrDefault();
+        return own is null ? null : vehicle.Flight.Record.Pictures.FirstOrDefault(
+            c => c.PictureNumber == own.BestPictureNumber && c.ReportIndex == own.BestReportIndex);
+    }
+
+    private ValidationTask? TaskOf(TargetTrack track)
+    {
+        ValidationTask[] near = data.Validations
+            .Where(t => t.Class == track.Class && t.MarkerId == track.MarkerId
+                && Distance(t.Position, track.Position) < SamePlaceMetres)
+            .OrderBy(t => Distance(t.Position, track.Position)).ToArray();
+        return near.Length == 0 ? null : near[0];
+    }
+
+    private static double Distance(GeodeticPosition a, GeodeticPosition b)
+    {
+        NedPosition ned = LocalNedFrame.IgnoringGeoid(a).ToNed(b);
+        return Math.Sqrt((ned.North * ned.North) + (ned.East * ned.East));
+    }
+
+    private void Fact(string name, string value) => page.Element("dt", name).Element("dd", value);
+}

@@ -1,0 +1,176 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Xml.Linq;
+using Rabit.Uav.Messages;
+using Xunit;
+
+namespace Rabit.Uav.Reporting.Tests;
+
+/// <summary>The one page of a whole group.</summary>
+public sealed class GroupHtmlReportTests
+{
+    private static readonly XNamespace Html = "http://www.w3.org/1999/xhtml";
+
+    [Fact]
+    public void Write_TwoVehicles_ShowsPathsRolesValidationsAndRadio()
+    {
+        XDocument page = Page(Group());
+        string words = Words(page);
+
+        Assert.Contains("Mission accomplished", words);
+        Assert.Equal(2, page.Descendants(Html + "polyline").Count(p => ClassOf(p).StartsWith("path v", Ordinal)));
+        Assert.Equal(5, page.Descendants(Html + "article").Count());
+        Assert.Single(page.Descendants(Html + "dd"), d => d.Value == "vehicle 1");
+        Assert.Single(page.Descendants(Html + "dd"), d => d.Value == "vehicle 2: confirmed");
+        Assert.Contains(
+            page.Descendants(Html + "title"), t => t.Value.StartsWith("validates red of 1, 0:30 to ", Ordinal));
+        Assert.Contains(page.Descendants(Html + "title"), t => t.Value.StartsWith("lanes 1 to 2, ", Ordinal));
+        Assert.Single(page.Descendants(Html + "rect"), r => ClassOf(r) == "divides");
+        Assert.Equal(2, Lines(page, "radio"));
+        Assert.Contains("1.50", words);   // 18750 bytes in 100 s
+    }
+
+    [Fact]
+    public void Write_FoundByOneOnly_SaysThatItWasNotValidated()
+    {
+        XDocument page = Page(Group(state: ValidationState.Open));
+
+        Assert.Single(page.Descendants(Html + "b"), b => ClassOf(b) == "state" && b.Value == "not validated");
+        Assert.Single(page.Descendants(Html + "dd"), d => d.Value == "none: no vehicle could");
+    }
+
+    [Fact]
+    public void Write_Failures_NamesEachAndSaysFailed()
+    {
+        string words = Words(Page(Group(failures: ["vehicles 1 and 2 met", "target T1 was not found"])));
+
+        Assert.Contains("Mission failed", words);
+        Assert.Contains("vehicles 1 and 2 met", words);
+        Assert.Contains("target T1 was not found", words);
+    }
+
+    [Fact]
+    public void Write_VehicleThatNeverWasSwitchedOn_IsARowWithoutFigures()
+    {
+        var group = new GroupFlightSummary(
+            [new GroupVehicleSummary(1, new FlightSummary(FlightRecord.Empty)), Vehicle(2, default, [])]);
+
+        Assert.Contains("no mission", Words(Page(group)));
+    }
+
+    [Fact]
+    public void Write_NothingWasFlown_IsAPageAllTheSame()
+        => Assert.Contains(
+            "Mission of a group",
+            Words(Page(new GroupFlightSummary([new GroupVehicleSummary(1, new FlightSummary(FlightRecord.Empty))]))));
+
+    [Fact]
+    public void Write_HostileNames_AreTextsAndNoAddresses()
+    {
+        var group = new GroupFlightSummary([Vehicle(1, default, [], "javascript:alert(1)/\"><script>")])
+        {
+            Name = "<script>alert(1)</script>",
+        };
+        XDocument page = Page(group);
+
+        Assert.Equal(2, page.Descendants(Html + "script").Count());
+        Assert.Equal(
+            "javascript%3Aalert%281%29/%22%3E%3Cscript%3E",
+            page.Descendants(Html + "a").Single().Attribute("href")!.Value.Replace("(", "%28").Replace(")", "%29"));
+    }
+
+    [Fact]
+    public void GroupFlightSummary_TaskLeftToAnotherFinder_DoesNotCount()
+    {
+        ValidationTask left = TaskOf(ValidationState.Closed) with { Number = 2, Validator = 0 };
+        GroupFlightSummary group = Group(more: left);
+
+        Assert.Equal(1, Assert.Single(group.Validations).Number);
+        Assert.Equal(1, group.Confirmed);
+    }
+
+    [Fact]
+    public void GroupFlightSummary_NoVehicle_IsRefused()
+        => Assert.Throws<ArgumentException>(() => new GroupFlightSummary([]));
+
+    private const StringComparison Ordinal = StringComparison.Ordinal;
+
+    private static GroupFlightSummary Group(
+        ValidationState state = ValidationState.Closed, string[]? failures = null, ValidationTask? more = null)
+    {
+        ValidationTask task = TaskOf(state);
+        ValidationTask[] tasks = more is { } second ? [task, second] : [task];
+        GroupRole search = new() { Time = TimeSpan.FromSeconds(5), Share = new LaneShare(2, 0, 2) };
+        GroupRole divides = search with { Share = new LaneShare(1, 2, 2), DividesLanes = true };
+        GroupRole validates = search with
+        {
+            Time = TimeSpan.FromSeconds(30),
+            ValidatedFinder = 1,
+            ValidatedNumber = 1,
+            ValidatedClass = task.Class,
+        };
+        GroupVehicleSummary[] vehicles =
+        [
+            Vehicle(2, default, [search, validates, search with { Time = TimeSpan.FromSeconds(50) }]),
+            Vehicle(1, new GroupStatus { Validations = [.. tasks] }, [divides]),
+        ];
+        return new GroupFlightSummary(vehicles)
+        {
+            Name = "meadow",
+            Score = vehicles[1].Flight.Mission!.Score,
+            Failures = failures ?? [],
+        };
+    }
+
+    private static ValidationTask TaskOf(ValidationState state)
+    {
+        TargetTrack track = MadeUpTargets.Tracks(5, hasFalseTrack: false)
+            .First(t => t.Class == DefaultTargetClasses.Red);
+        return new ValidationTask
+        {
+            Finder = 1,
+            Number = 1,
+            State = state,
+            Class = track.Class,
+            Position = track.Position,
+            Validator = state == ValidationState.Closed ? (byte)2 : (byte)0,
+            Result = state == ValidationState.Closed ? ValidationResult.Confirmed : ValidationResult.Unknown,
+        };
+    }
+
+    private static GroupVehicleSummary Vehicle(
+        byte systemId, GroupStatus group, GroupRole[] roles, string reportFile = "")
+        => new(systemId, MadeUpFlight.Summary(MadeUpFlight.Record(group: group, roles: roles)))
+        {
+            ReportFile = reportFile,
+            Radio = new RadioUse
+            {
+                Samples = [.. Enumerable.Range(0, 100).Select(i => new RadioSample(TimeSpan.FromSeconds(i), 187 * i))],
+                BytesSent = 18_750,
+                Duration = TimeSpan.FromSeconds(100),
+                Delivered = 9,
+                Lost = 1,
+            },
+        };
+
+    // The lines of a chart: those that follow its label, up to the next one.
+    private static int Lines(XDocument page, string chart)
+    {
+        IEnumerable<XElement> after = page.Descendants(Html + "text").Single(t => t.Value == chart).ElementsAfterSelf();
+        return after.TakeWhile((e, i) => i < 2 || e.Name != Html + "text")
+            .Count(e => e.Name == Html + "polyline" && ClassOf(e).StartsWith("line v", Ordinal));
+    }
+
+    private static string ClassOf(XElement element) => element.Attribute("class")?.Value ?? string.Empty;
+
+    private static string Words(XDocument page) => page.Root!.Element(Html + "body")!.Value;
+
+    private static XDocument Page(GroupFlightSummary group)
+    {
+        using var page = new StringWriter();
+        GroupHtmlReport.Write(page, group);
+        return XDocument.Parse(page.ToString().Replace("<!DOCTYPE html>", string.Empty));
+    }
+}
