@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Rabit.Uav.ImageProcessing;
 
 namespace Rabit.Uav.CameraGeometry;
 
@@ -25,6 +26,13 @@ public sealed class CameraModel
 
     /// <summary>Rows of the picture.</summary>
     public int Height { get; init; }
+
+    /// <summary>
+    /// How its pixels are arranged: <see cref="PixelFormat.Grey16"/> of a thermal camera, whose pictures are 16-bit PGM
+    /// or grey PNG.
+    /// </summary>
+    /// <value>The default is <see cref="PixelFormat.Rgb24"/>.</value>
+    public PixelFormat Format { get; init; }
 
     /// <summary>Focal length along columns, pixels.</summary>
     public double FocalX { get; init; }

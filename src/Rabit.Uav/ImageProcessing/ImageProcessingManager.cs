@@ -36,10 +36,6 @@ public sealed class ImageProcessingManager : RabitManager
     // With the idle period at least once a second.
     private static readonly TimeSpan StatusPeriod = TimeSpan.FromMilliseconds(750);
 
-    // Three pictures at 2 Hz, or four where they come more slowly: one or two that are bad are no fault of the camera.
-    private static readonly TimeSpan QualityWindow = TimeSpan.FromSeconds(1.5);
-    private static readonly TimeSpan MaxQualityAge = TimeSpan.FromSeconds(10);
-
     // Pictures between two units of work; the newer ones are worth more.
     private const int FramesQueued = 2;
 
@@ -50,6 +46,8 @@ public sealed class ImageProcessingManager : RabitManager
     private readonly BlockingReader<CameraFrame>? _camera;
     private readonly ICamera? _source;
     private readonly PictureSearch? _search;
+    private readonly DetectorFigures? _detector;
+    private readonly PicturePoses? _picturePoses;   // with a camera, without which there are no pictures
     private readonly LandingMarkerFinder? _landingMarker;
     private readonly QueueReceiver<PoseSample> _poseQueue;
     private readonly MessageSubscriber<ImagingCommand> _command;
@@ -60,14 +58,11 @@ public sealed class ImageProcessingManager : RabitManager
     private readonly MessagePublisher<LandingTargetObservation> _landingTarget;
     private readonly PoseHistory _poses;
     private readonly WaitingFrames _waiting;
-    private readonly ImageChipBuffer _imageChips;
-    private readonly PictureOverviewBuffer _overviews;
+    private readonly PictureDisplays _displays;
     private readonly FrameNumbers _numbers = new();
-    private readonly PictureWindow _window = new(QualityWindow, MaxQualityAge);
+    private readonly PictureTally _tally = new();
     private ImagingStatus _next;
     private TimeSpan? _lastPost;
-    private string? _loggedFault;
-    private TimeSpan _nextFaultLog;
 
     /// <summary>Makes the manager.</summary>
     /// <param name="options">Checked and read now; later changes have no effect.</param>
@@ -86,6 +81,8 @@ public sealed class ImageProcessingManager : RabitManager
             _camera = AttachReader("camera", camera, FramesQueued, QueueFullMode.DropOldest);
             _source = camera as ICamera;
             _search = new PictureSearch(_options, _options.Camera!, _poses, () => Now);
+            _detector = new DetectorFigures(_search, Log);
+            _picturePoses = new PicturePoses(_options.Camera!, _poses);
             if (_options.LandingMarker is { } marker)
                 _landingMarker = new LandingMarkerFinder(marker, _options.Camera!, _options.Mount);
         }
@@ -98,22 +95,21 @@ public sealed class ImageProcessingManager : RabitManager
         _status = Publish<ImagingStatus>(MessageNames.Imaging);
         _landingTarget = Publish<LandingTargetObservation>(MessageNames.LandingTarget);
         _waiting = new WaitingFrames(_options.FramesWaiting);
-        _imageChips = new ImageChipBuffer(_options.MaxImageChips, _options.ImageChipSide);
-        _overviews = new PictureOverviewBuffer(_options.MaxPictureOverviews, _options.PictureOverviewWidth);
+        _displays = new PictureDisplays(_options);
         WakeUpDelay = IdlePeriod;
     }
 
     /// <summary>
     /// Parts of pictures around the newest reports, oldest first: a snapshot. Any thread, at any time.
     /// </summary>
-    public IReadOnlyList<ImageChip> ImageChips => _imageChips.Kept;
+    public IReadOnlyList<ImageChip> ImageChips => _displays.Chips;
 
     /// <summary>
     /// A whole picture in which something was reported, scaled down; null where it is no longer kept. Any thread, at
     /// any time.
     /// </summary>
     /// <param name="pictureNumber">As <see cref="TargetReport.PictureNumber"/>.</param>
-    public PictureOverview? FindPictureOverview(long pictureNumber) => _overviews.Find(pictureNumber);
+    public PictureOverview? FindPictureOverview(long pictureNumber) => _displays.FindOverview(pictureNumber);
 
     /// <inheritdoc/>
     protected override void ExecuteUnitOfWork()
@@ -129,7 +125,10 @@ public sealed class ImageProcessingManager : RabitManager
         if (UsesPictures)
             SearchWaiting(now);
         PostStatus(now);
-        WakeUpDelay = NextWakeUp(now);
+
+        // A waiting picture is searched when its pose arrives, which wakes this manager, or refused when it has waited
+        // long enough.
+        WakeUpDelay = _waiting.DelayUntil(now, _options.PoseTimeout, IdlePeriod);
     }
 
     /// <inheritdoc/>
@@ -171,7 +170,7 @@ public sealed class ImageProcessingManager : RabitManager
             }
 
             // Nothing was true later than it arrived: such a pose cannot come in time, and others need the room.
-            if (MiddleOf(frame) - now > _options.PoseTimeout + _options.MaxExtrapolation)
+            if (_picturePoses!.MiddleOf(frame) - now > _options.PoseTimeout + _options.MaxExtrapolation)
             {
                 frame.Dispose();
                 CountRefusal(PictureQuality.NoPose, InTheFuture);
@@ -186,54 +185,24 @@ public sealed class ImageProcessingManager : RabitManager
         }
     }
 
-    // A waiting picture is searched when its pose arrives, which wakes this manager, or refused when it has waited long
-    // enough.
-    private TimeSpan NextWakeUp(TimeSpan now)
-    {
-        TimeSpan delay = IdlePeriod;
-        for (int i = 0; i < _waiting.Count; i++)
-        {
-            TimeSpan left = _waiting.Since(i) + _options.PoseTimeout - now;
-            delay = left < delay ? left : delay;
-        }
-
-        return delay;
-    }
-
     private void SearchWaiting(TimeSpan now)
     {
         for (int i = 0; i < _waiting.Count;)
         {
-            PoseLookup answer = FindPoses(_waiting[i], out Pose pose);
+            PoseLookup answer = _picturePoses!.Find(_waiting[i], out Pose pose);
             if (answer == PoseLookup.Known)
                 Use(i, pose);
             else if (answer != PoseLookup.NotYet)
                 Refuse(i, answer == PoseLookup.Gap ? PoseGap : PoseTooOld);
             else if (now - _waiting.Since(i) < _options.PoseTimeout)
                 i++;
-            else if (_poses.Extrapolate(MiddleOf(_waiting[i]), _options.MaxExtrapolation, out pose)
+            else if (_poses.Extrapolate(_picturePoses!.MiddleOf(_waiting[i]), _options.MaxExtrapolation, out pose)
                 == PoseLookup.Extrapolated)
                 Use(i, pose);
             else
-                Refuse(i, _poses.IsGimbalSilent(MiddleOf(_waiting[i])) ? GimbalSilent : NoPose);
+                Refuse(i, _poses.IsGimbalSilent(_picturePoses!.MiddleOf(_waiting[i])) ? GimbalSilent : NoPose);
         }
     }
-
-    // Of the middle row, once the poses around the first and the last one are known too.
-    private PoseLookup FindPoses(in CameraFrame frame, out Pose pose)
-    {
-        PoseLookup answer = _poses.Find(MiddleOf(frame), out pose);
-        TimeSpan readout = LastRow();
-        if (answer != PoseLookup.Known || readout == TimeSpan.Zero)
-            return answer;
-        PoseLookup first = _poses.Find(frame.MidExposure, out _);
-        return first == PoseLookup.Known ? _poses.Find(frame.MidExposure + readout, out _) : first;
-    }
-
-    private TimeSpan MiddleOf(in CameraFrame frame) => frame.MidExposure + TimeSpan.FromTicks(LastRow().Ticks / 2);
-
-    // A frame is here only with a camera.
-    private TimeSpan LastRow() => _options.Camera!.ReadoutOf(_options.Camera.Height - 1);
 
     private void Use(int index, in Pose pose)
     {
@@ -276,11 +245,7 @@ public sealed class ImageProcessingManager : RabitManager
         ref readonly CameraObservation observation = ref _search.Observation;
         _next.Observations++;
         _next.ReportsDropped += _search.Dropped;
-        foreach (TargetReport report in observation.Reports)
-            _imageChips.Add(
-                report.PictureNumber, report.Index, frame.Pixels.Array, frame.Width, frame.Height, report.CentreX,
-                report.CentreY);
-        _overviews.Add(observation, frame.Pixels.Array, frame.Width, frame.Height);
+        _displays.Add(observation, frame);
         _next.LastObservation = observation;
         if (_observations.Push(observation) == PushResult.Rejected)
             _next.ReportsDropped += observation.Reports.Length;
@@ -307,20 +272,15 @@ public sealed class ImageProcessingManager : RabitManager
     // Of the search alone: it is judged by them.
     private void Count(PictureQuality quality, bool isByTilt = false)
     {
-        if (!IsSearching)
-            return;
-        PictureCounts counts = _next.Pictures;
-        counts.Count(quality);
-        _next.Pictures = counts;
-        _window.Add(quality, Now, isByTilt);
+        if (IsSearching)
+            _tally.Add(quality, Now, isByTilt);
     }
 
-    // What was seen before says nothing of the next search.
     private void StopSearch()
     {
         if (!UsesPictures)
             _waiting.Clear();
-        _window.Clear();
+        _tally.StartAgain();
     }
 
     // At once when the command or the camera changed or a picture was judged, else at least once a second.
@@ -334,39 +294,16 @@ public sealed class ImageProcessingManager : RabitManager
             _next.Fault = _source?.Statistics.Fault;
         else if (_camera?.Fault is { } fault)
             _next.Fault ??= $"{fault.GetType().Name}: {fault.Message}";
-        _window.Update(now);
-        (_next.UsableShare, _next.UnusableCause, _next.UnusableCauseShare) =
-            (_window.UsableShare, _window.MainCause, _window.CauseShare);
+        _tally.ReadInto(ref _next, now);
         ref ImagingStatus posted = ref _status.Value;
         bool isNews = _lastPost is null || posted.Mode != _next.Mode || posted.HasEnded != _next.HasEnded
             || !ReferenceEquals(posted.Fault, _next.Fault)
             || posted.Observations != _next.Observations || posted.FramesRefused != _next.FramesRefused;
-        if (_search is not null)
-            ReadDetector(_search);
+        _detector?.ReadInto(ref _next, Now);
         if (!isNews && now - _lastPost < StatusPeriod)
             return;
         posted = _next;
         _status.Post();
         _lastPost = now;
-    }
-
-    private void ReadDetector(PictureSearch search)
-    {
-        _next.DetectorFailures = search.Detector.Failures;
-        _next.DetectionsRefused = search.Detector.Refused;
-        _next.DetectorOverruns = search.Detector.Overruns;
-        _next.LastDetectorFault = search.Detector.LastFault;
-        _next.UnknownClasses = search.UnknownClasses;
-        if (search.Detector.LastFault is { } fault)
-            LogDetectorFault(fault);
-    }
-
-    // Each text once in a row, and no more than one a second: a detector may fail at every picture.
-    private void LogDetectorFault(string fault)
-    {
-        if (string.Equals(fault, _loggedFault, StringComparison.Ordinal) || Now < _nextFaultLog)
-            return;
-        (_loggedFault, _nextFaultLog) = (fault, Now + TimeSpan.FromSeconds(1));
-        Log(fault);
     }
 }

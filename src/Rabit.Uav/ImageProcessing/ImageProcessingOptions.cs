@@ -48,7 +48,7 @@ public sealed class ImageProcessingOptions
     /// <value>
     /// The default, null, is a <see cref="ColourTargetDetector"/> of <see cref="TargetClasses"/>, a
     /// <see cref="MarkerTargetDetector"/> of those that are markers, and a <see cref="TemplateTargetDetector"/> of
-    /// those that have a template.
+    /// those that have a template. Of a thermal camera it is a <see cref="HotSpotTargetDetector"/>.
     /// </value>
     public ITargetDetector? Detector { get; set; }
 
@@ -154,6 +154,10 @@ public sealed class ImageProcessingOptions
     // One for each kind of class that there is.
     internal ITargetDetector CreateDetector()
     {
+        // A thermal camera sees nothing else.
+        ImmutableArray<TargetClass> hotSpots = [.. TargetClasses.Where(c => c.HotSpot is not null)];
+        if (!hotSpots.IsEmpty)
+            return new HotSpotTargetDetector(hotSpots);
         ImmutableArray<TargetClass> coloured = [.. TargetClasses.Where(c => c.IsColoured)];
         ImmutableArray<TargetClass> markers = [.. TargetClasses.Where(c => c.Marker is not null)];
         ImmutableArray<TargetClass> templates = [.. TargetClasses.Where(c => c.Template is not null)];
@@ -211,8 +215,23 @@ public sealed class ImageProcessingOptions
         }
     }
 
+    // A detector of the user's may find anything in any picture.
+    private IEnumerable<string> FindClassesOfAnotherCamera()
+    {
+        if (Camera is null || Detector is not null || TargetClasses.IsDefault)
+            yield break;
+        bool isThermal = Camera.Format == PixelFormat.Grey16;
+        if (isThermal && !TargetClasses.Any(c => c?.HotSpot is not null))
+            yield return "the camera is a thermal one, and no target class is a hot spot";
+        foreach (TargetClass one in TargetClasses.Where(c => c?.HotSpot is not null && !isThermal))
+            yield return $"target class {one.Name} is a hot spot, and the camera is no thermal one (16 bits of grey)";
+        if (isThermal && LandingMarker is not null)
+            yield return "the camera is a thermal one, which sees no landing marker";
+    }
+
     private IEnumerable<string> FindFaultsInParts()
         => (Camera?.FindFaults() ?? [])
+            .Concat(FindClassesOfAnotherCamera())
             .Concat(Mount?.FindFaults() ?? [])
             .Concat(Errors?.FindFaults() ?? [])
             .Concat(LandingMarker?.FindFaults() ?? [])

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Immutable;
+using System.Runtime.InteropServices;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing;
@@ -15,7 +16,9 @@ internal sealed class PictureOverviewBuffer(int capacity, int maxWidth)
     private long _count;                                    // under _gate
 
     /// <summary>Keeps a picture, if there are reports in it.</summary>
-    public void Add(in CameraObservation observation, byte[] picture, int width, int height)
+    public void Add(
+        in CameraObservation observation, byte[] picture, int width, int height,
+        PixelFormat format = PixelFormat.Rgb24)
     {
         if (capacity == 0 || observation.Reports.IsEmpty)
             return;
@@ -25,7 +28,11 @@ internal sealed class PictureOverviewBuffer(int capacity, int maxWidth)
             ref Kept? kept = ref _ring[_count++ % capacity];
             if (kept?.Fits(width / scale, height / scale) != true)
                 kept = new Kept(width / scale, height / scale);
-            kept.Set(observation, picture, width, height, scale);
+            kept.Set(observation, width, height);
+            if (format == PixelFormat.Grey16)
+                kept.SetCounts(MemoryMarshal.Cast<byte, ushort>(picture), width, scale);
+            else
+                kept.SetColours(picture, width, scale);
         }
     }
 
@@ -55,11 +62,14 @@ internal sealed class PictureOverviewBuffer(int capacity, int maxWidth)
 
         public bool Fits(int columns, int rows) => columns == width && rows == height;
 
-        public void Set(
-            in CameraObservation observation, byte[] picture, int pictureWidth, int pictureHeight, int scale)
+        public void Set(in CameraObservation observation, int pictureWidth, int pictureHeight)
         {
             (Number, _reports) = (observation.Number, observation.Reports);
             (_pictureWidth, _pictureHeight) = (pictureWidth, pictureHeight);
+        }
+
+        public void SetColours(byte[] picture, int pictureWidth, int scale)
+        {
             int to = 0;
             for (int row = 0; row < height; row++)
             {
@@ -69,6 +79,24 @@ internal sealed class PictureOverviewBuffer(int capacity, int maxWidth)
                     for (int channel = 0; channel < 3; channel++)
                         _pixels[to++] = MeanOf(picture, from + channel, pictureWidth * 3, scale);
                 }
+            }
+        }
+
+        // Grey, from the coldest to the warmest.
+        public void SetCounts(ReadOnlySpan<ushort> counts, int pictureWidth, int scale)
+        {
+            (int least, int most) = (ushort.MaxValue, 0);
+            for (int i = 0; i < width * height; i++)
+            {
+                int mean = MeanOf(counts, FirstOf(i, pictureWidth, scale), pictureWidth, scale);
+                (least, most) = (Math.Min(least, mean), Math.Max(most, mean));
+            }
+
+            for (int i = 0; i < width * height; i++)
+            {
+                int mean = MeanOf(counts, FirstOf(i, pictureWidth, scale), pictureWidth, scale);
+                byte level = (byte)((mean - least) * 255 / Math.Max(1, most - least));
+                (_pixels[3 * i], _pixels[(3 * i) + 1], _pixels[(3 * i) + 2]) = (level, level, level);
             }
         }
 
@@ -90,6 +118,21 @@ internal sealed class PictureOverviewBuffer(int capacity, int maxWidth)
             }
 
             return (byte)(sum / (scale * scale));
+        }
+
+        private int FirstOf(int index, int pictureWidth, int scale)
+            => (index / width * scale * pictureWidth) + (index % width * scale);
+
+        private static int MeanOf(ReadOnlySpan<ushort> counts, int first, int stride, int scale)
+        {
+            long sum = 0;
+            for (int row = 0; row < scale; row++)
+            {
+                foreach (ushort count in counts.Slice(first + (row * stride), scale))
+                    sum += count;
+            }
+
+            return (int)(sum / (scale * scale));
         }
 
         // The centre of the first pixel is 0, its border half a pixel before it.

@@ -24,7 +24,7 @@ internal sealed class PictureSearch : IGroundScaleSource
     private readonly DetectorRunner _detector;
     private readonly WantedClasses _wanted;
     private readonly GroundProjector _projector;
-    private readonly PictureJudge _judge = new();
+    private readonly FrameJudge _judge = new();
     private readonly double _minTargetPixels;
     private readonly PoseHistory _poses;
     private readonly TimeSpan _maxExtrapolation;
@@ -68,7 +68,7 @@ internal sealed class PictureSearch : IGroundScaleSource
     public bool IsByTilt { get; private set; }
 
     /// <summary>What was measured of the last picture that was looked at.</summary>
-    public PictureFacts? Facts { get; private set; }
+    public PictureFacts? Facts => _judge.Facts;
 
     /// <summary>How the last picture that shows the ground was taken.</summary>
     public PictureView View { get; private set; }
@@ -94,7 +94,8 @@ internal sealed class PictureSearch : IGroundScaleSource
         (Quality, IsByTilt) = (PictureQuality.NotSearched, false);
         if (frame.Width != _camera.Width || frame.Height != _camera.Height)
             return WrongSize;
-        if (frame.Pixels.IsEmpty || frame.Pixels.Array.Length < frame.Width * frame.Height * 3)
+        int bytes = frame.Width * frame.Height * DetectorInput.BytesPerPixel(frame.Format);
+        if (frame.Pixels.IsEmpty || frame.Pixels.Array.Length < bytes)
             return NoBuffer;
         ImmutableArray<TargetClass> classes = _wanted.Select(command.Classes);
         if (classes.IsEmpty)
@@ -107,9 +108,7 @@ internal sealed class PictureSearch : IGroundScaleSource
             return NotGround;
         }
 
-        PictureQuality quality = _judge.Judge(frame.Pixels.Array, frame.Width, frame.Height, View);
-        if (quality != PictureQuality.TooCoarse)
-            Facts = _judge.Describe(frame.Exposure);
+        PictureQuality quality = _judge.Judge(frame, View);
         if (quality != PictureQuality.Usable)
         {
             Quality = quality;
@@ -122,7 +121,7 @@ internal sealed class PictureSearch : IGroundScaleSource
         Quality = PictureQuality.Usable;
         foreach (ref readonly TargetDetection detection in _detector.Found)
             Report(detection, frame, pose, command, systemId);
-        Facts = Facts!.Value with { Detections = _detector.Found.Length };
+        _judge.SetDetections(_detector.Found.Length);
         _observation.SourceSystemId = systemId;
         _observation.Number = frame.Number;
         _observation.Time = pose.Time;
@@ -137,11 +136,13 @@ internal sealed class PictureSearch : IGroundScaleSource
     private string? Detect(in CameraFrame frame, ImmutableArray<TargetClass> classes)
     {
         var input = new DetectorInput(
-            new ReadOnlyMemory<byte>(frame.Pixels.Array, 0, frame.Width * frame.Height * 3),
+            new ReadOnlyMemory<byte>(
+                frame.Pixels.Array, 0, frame.Width * frame.Height * DetectorInput.BytesPerPixel(frame.Format)),
             frame.Width,
             frame.Height,
             classes,
-            new PictureGroundScale(this))
+            new PictureGroundScale(this),
+            frame.Format)
         {
             PictureNumber = frame.Number,
             Time = frame.MidExposure,
@@ -151,8 +152,7 @@ internal sealed class PictureSearch : IGroundScaleSource
 
     private bool TryView(in CameraFrame frame, in Pose pose, in ImagingCommand command)
     {
-        double column = _camera.CentreX;
-        double row = _camera.CentreY;
+        (double column, double row) = (_camera.CentreX, _camera.CentreY);
         if (!_projection.TryProjectToGround(column, row, out GeodeticPosition centre)
             || !_projection.TryScale(column, row, out GroundScale scale)
             || !TrySmear(frame.Exposure, pose, command, centre, out double smear))

@@ -20,6 +20,19 @@ internal sealed class WaitingFrames(int capacity)
     /// <summary>When it arrived.</summary>
     public TimeSpan Since(int index) => _since[index];
 
+    /// <summary>How long until one has waited for the timeout, at most <paramref name="longest"/>.</summary>
+    public TimeSpan DelayUntil(TimeSpan now, TimeSpan timeout, TimeSpan longest)
+    {
+        TimeSpan delay = longest;
+        for (int i = 0; i < Count; i++)
+        {
+            TimeSpan left = _since[i] + timeout - now;
+            delay = left < delay ? left : delay;
+        }
+
+        return delay;
+    }
+
     public void Add(in CameraFrame frame, TimeSpan now)
     {
         _frames[Count] = frame;

@@ -1,19 +1,26 @@
 using System;
 using Rabit.Core;
 using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.ImageProcessing;
 
 namespace Rabit.Uav.Messages;
 
 /// <summary>
 /// A picture in a pooled buffer: its holder is the only owner of the buffer, and hands it on or disposes it. 8 bits
-/// each of red, green and blue, row by row from the top left, without padding. A plain value.
+/// each of red, green and blue, row by row from the top left, without padding; of a thermal camera 16 bits of counts
+/// (<see cref="Format"/>). A plain value.
 /// </summary>
 public struct CameraFrame : IDisposable
 {
     /// <summary>
-    /// The pixels: <see cref="Width"/> x <see cref="Height"/> x 3 bytes from the start of the buffer.
+    /// The pixels: <see cref="Width"/> x <see cref="Height"/> x 3 bytes from the start of the buffer, 2 of a thermal
+    /// camera.
     /// </summary>
     public BufferLease Pixels { get; set; }
+
+    /// <summary>How the bytes are arranged.</summary>
+    /// <value>The default is <see cref="PixelFormat.Rgb24"/>.</value>
+    public PixelFormat Format { get; set; }
 
     /// <summary>Columns.</summary>
     public int Width { get; set; }

@@ -79,8 +79,14 @@ public sealed class TargetClass
     /// </summary>
     public ObjectTemplate? Template { get; init; }
 
-    /// <summary>Whether it is found by its colour: what has neither a marker nor a template.</summary>
-    internal bool IsColoured => Marker is null && Template is null;
+    /// <summary>
+    /// That it is warmer than the ground around it, in pictures of a thermal camera: for
+    /// <see cref="ImageProcessing.HotSpotTargetDetector"/>. Null, the default, for what is seen by light.
+    /// </summary>
+    public HotSpotTarget? HotSpot { get; init; }
+
+    /// <summary>Whether it is found by its colour: what has nothing else to be found by.</summary>
+    internal bool IsColoured => Marker is null && Template is null && HotSpot is null;
 
     // What must be resolved of it as four pixels are of a panel: of a marker, that its cells can be read, and of a
     // template, its edges.
@@ -125,6 +131,8 @@ public sealed class TargetClass
             }
 
             foreach (string fault in targetClass.Marker?.FindFaults(targetClass) ?? [])
+                yield return fault;
+            foreach (string fault in targetClass.HotSpot?.FindFaults(targetClass) ?? [])
                 yield return fault;
             foreach (string fault in targetClass.FindTemplateFaults())
                 yield return fault;

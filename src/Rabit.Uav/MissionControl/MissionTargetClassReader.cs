@@ -40,6 +40,7 @@ internal static class MissionTargetClassReader
             Colour = ReadColour(one),
             Marker = ReadMarker(one),
             Template = ReadTemplate(one, folder),
+            HotSpot = ReadHotSpot(one),
             MinSideMetres = one.Number("minSideMetres") ?? Default.MinSideMetres,
             MaxSideMetres = one.Number("maxSideMetres") ?? Default.MaxSideMetres,
             MinAspect = one.Number("minAspect") ?? Default.MinAspect,
@@ -74,6 +75,21 @@ internal static class MissionTargetClassReader
         marker.RefuseOthers();
         return new TargetMarker(
             family == nameof(MarkerFamily.ArUco4x4) ? MarkerFamily.ArUco4x4 : MarkerFamily.AprilTag36h11, id);
+    }
+
+    private static HotSpotTarget? ReadHotSpot(JsonFields one)
+    {
+        if (!one.Has("hotSpot"))
+            return null;
+        var defaults = new HotSpotTarget();
+        JsonFields spot = one.RequiredObject("hotSpot");
+        var read = new HotSpotTarget
+        {
+            MinContrastCounts = spot.Number("minContrastCounts") ?? defaults.MinContrastCounts,
+            MinSigmas = spot.Number("minSigmas") ?? defaults.MinSigmas,
+        };
+        spot.RefuseOthers();
+        return read;
     }
 
     private static ObjectTemplate? ReadTemplate(JsonFields one, string folder)

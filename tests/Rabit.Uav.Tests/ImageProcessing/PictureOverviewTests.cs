@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using System.Runtime.InteropServices;
 using Rabit.Tests.Shared;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
@@ -60,14 +61,35 @@ public sealed class PictureOverviewTests
     }
 
     [Fact]
-    public void Add_AgainAndAgain_AllocatesNothing()
+    public void Add_Thermal_IsGreyFromTheColdestToTheWarmest()
+    {
+        var buffer = new PictureOverviewBuffer(capacity: 1, maxWidth: 2);
+        ushort[] counts =
+        [
+            7000, 7000, 7100, 7100,
+            7000, 7000, 7100, 7100,
+            7000, 7000, 7050, 7050,
+            7000, 7000, 7050, 7050,
+        ];
+        buffer.Add(
+            Observation(1, Report(0, 1, 1, 2, 2)), MemoryMarshal.AsBytes<ushort>(counts).ToArray(), 4, 4,
+            PixelFormat.Grey16);
+
+        byte[] pixels = buffer.Find(1)!.CopyPixels();
+        Assert.Equal([0, 0, 0, 255, 255, 255, 0, 0, 0, 127, 127, 127], pixels);
+    }
+
+    [Theory]
+    [InlineData(PixelFormat.Rgb24)]
+    [InlineData(PixelFormat.Grey16)]
+    public void Add_AgainAndAgain_AllocatesNothing(PixelFormat format)
     {
         var buffer = new PictureOverviewBuffer(capacity: 2, maxWidth: 32);
         CameraObservation observation = Observation(1, Report(0, 5, 5, 2, 2));
         void Work()
         {
-            buffer.Add(observation, _picture, 64, 48);
-            buffer.Add(observation, _picture, 64, 48);
+            buffer.Add(observation, _picture, 64, 48, format);
+            buffer.Add(observation, _picture, 64, 48, format);
         }
 
         Work();

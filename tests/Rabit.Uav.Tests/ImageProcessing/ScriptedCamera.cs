@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Rabit.Core;
+using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Tests.ImageProcessing;
@@ -27,6 +28,9 @@ internal sealed class ScriptedCamera(byte[] picture, int buffers = 6) : IReaderS
     /// <summary>The size that its pictures claim to have.</summary>
     public (int Width, int Height) Size { get; set; } = (Painting.Width, Painting.Height);
 
+    /// <summary>How its pictures are arranged.</summary>
+    public PixelFormat Format { get; set; }
+
     /// <summary>Pictures for which there was no buffer.</summary>
     public int Lost { get; private set; }
 
@@ -37,6 +41,7 @@ internal sealed class ScriptedCamera(byte[] picture, int buffers = 6) : IReaderS
             Number = number,
             Width = Size.Width,
             Height = Size.Height,
+            Format = Format,
             FrameStart = TimeSpan.FromSeconds(exposedAt - 0.001),
             Exposure = TimeSpan.FromMilliseconds(2),
         };

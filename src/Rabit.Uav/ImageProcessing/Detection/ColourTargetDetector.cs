@@ -71,6 +71,8 @@ public sealed class ColourTargetDetector : ITargetDetector
     /// <inheritdoc/>
     public DetectorResult Detect(in DetectorInput input, Span<TargetDetection> detections)
     {
+        if (input.Format != PixelFormat.Rgb24)
+            return DetectorResult.NotSearched(DetectorResult.NoColourPicture);
         byte[] pixels = ArrayOf(input.Pixels);
         _colours.Select(BitsOf(input.Classes));
         if (!_finder.TryFind(pixels, input.Width, input.Height, _colours))

@@ -11,17 +11,18 @@ namespace Rabit.Uav.ImageProcessing;
 public readonly struct DetectorInput
 {
     /// <summary>Makes an input: Image Processing does, and tests of a detector.</summary>
-    /// <param name="pixels">At least width x height x 3 bytes.</param>
+    /// <param name="pixels">At least width x height x 3 bytes; 2 of a thermal camera.</param>
     /// <param name="width">Columns.</param>
     /// <param name="height">Rows.</param>
     /// <param name="classes">The classes to search for.</param>
     /// <param name="groundScale">How large pixels are on the ground.</param>
+    /// <param name="format">How the bytes are arranged.</param>
     /// <exception cref="ArgumentException">The size is not positive, or the bytes are too few for it.</exception>
     public DetectorInput(
         ReadOnlyMemory<byte> pixels, int width, int height, ImmutableArray<TargetClass> classes,
-        PictureGroundScale groundScale)
+        PictureGroundScale groundScale, PixelFormat format = PixelFormat.Rgb24)
     {
-        if (width < 1 || height < 1 || pixels.Length / 3 / width < height)
+        if (width < 1 || height < 1 || pixels.Length / BytesPerPixel(format) / width < height)
         {
             throw new ArgumentException(
                 $"A buffer of {pixels.Length} bytes does not hold a picture of {width} x {height} pixels.",
@@ -29,7 +30,7 @@ public readonly struct DetectorInput
         }
 
         Pixels = pixels;
-        (Width, Height) = (width, height);
+        (Width, Height, Format) = (width, height, format);
         Classes = classes.IsDefault ? [] : classes;
         GroundScale = groundScale;
     }
@@ -46,11 +47,14 @@ public readonly struct DetectorInput
     /// <summary>Rows.</summary>
     public int Height { get; }
 
-    /// <summary>How the bytes are arranged: always <see cref="PixelFormat.Rgb24"/>.</summary>
-    public PixelFormat Format { get; } = PixelFormat.Rgb24;
+    /// <summary>
+    /// How the bytes are arranged: <see cref="PixelFormat.Rgb24"/>, but of a thermal camera
+    /// <see cref="PixelFormat.Grey16"/>.
+    /// </summary>
+    public PixelFormat Format { get; }
 
-    /// <summary>Bytes from one row to the next: 3 x <see cref="Width"/>, since rows are not padded.</summary>
-    public int StrideBytes => Width * 3;
+    /// <summary>Bytes from one row to the next: those of its pixels, since rows are not padded.</summary>
+    public int StrideBytes => Width * BytesPerPixel(Format);
 
     /// <summary>
     /// The classes to search for: those of the mission that are declared. The array stays the same until they change.
@@ -65,4 +69,6 @@ public readonly struct DetectorInput
 
     /// <summary>Mid-exposure, by the clock of the run.</summary>
     public TimeSpan Time { get; init; }
+
+    internal static int BytesPerPixel(PixelFormat format) => format == PixelFormat.Grey16 ? 2 : 3;
 }

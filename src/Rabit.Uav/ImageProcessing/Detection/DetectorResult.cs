@@ -5,6 +5,8 @@ namespace Rabit.Uav.ImageProcessing;
 /// <summary>What a detector returns for one picture. A plain value.</summary>
 public readonly struct DetectorResult : IEquatable<DetectorResult>
 {
+    internal const string NoColourPicture = "the picture of a thermal camera shows no colours";
+
     private DetectorResult(int count, int dropped, string? refusal)
         => (Count, Dropped, Refusal) = (count, dropped, refusal);
 

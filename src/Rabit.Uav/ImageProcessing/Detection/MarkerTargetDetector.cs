@@ -47,6 +47,8 @@ public sealed class MarkerTargetDetector : ITargetDetector
     /// <inheritdoc/>
     public DetectorResult Detect(in DetectorInput input, Span<TargetDetection> detections)
     {
+        if (input.Format != PixelFormat.Rgb24)
+            return DetectorResult.NotSearched(DetectorResult.NoColourPicture);
         int size = input.Width * input.Height;
         if (_grey.Length < size)
             _grey = new byte[size];

@@ -115,6 +115,8 @@ public sealed class ShapeTargetDetector : ITargetDetector
     /// <inheritdoc/>
     public DetectorResult Detect(in DetectorInput input, Span<TargetDetection> detections)
     {
+        if (input.Format != PixelFormat.Rgb24)
+            return DetectorResult.NotSearched(DetectorResult.NoColourPicture);
         byte[] pixels = ArrayOf(input.Pixels);
         _light.Measure(pixels, input.Width, input.Height);
         if (!_finder.TryFind(pixels, input.Width, input.Height, _table, _light))

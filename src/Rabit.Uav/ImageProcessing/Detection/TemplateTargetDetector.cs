@@ -46,6 +46,8 @@ public sealed class TemplateTargetDetector : ITargetDetector
     /// <inheritdoc/>
     public DetectorResult Detect(in DetectorInput input, Span<TargetDetection> detections)
     {
+        if (input.Format != PixelFormat.Rgb24)
+            return DetectorResult.NotSearched(DetectorResult.NoColourPicture);
         _parts.Find(input.GroundScale, input.Width, input.Height);
         (int count, int dropped) = (0, 0);
         bool isAnySearched = false;

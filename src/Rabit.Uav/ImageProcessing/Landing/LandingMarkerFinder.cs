@@ -50,6 +50,7 @@ internal sealed class LandingMarkerFinder
     {
         observation = default;
         if (frame.Width != _camera.Width || frame.Height != _camera.Height || frame.Pixels.IsEmpty
+            || frame.Format != PixelFormat.Rgb24
             || frame.Pixels.Array.Length < frame.Width * frame.Height * 3)
         {
             refusal = NoPicture;

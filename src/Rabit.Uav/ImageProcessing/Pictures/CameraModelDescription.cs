@@ -13,6 +13,9 @@ internal static class CameraModelDescription
 {
     private const string Distortion = "distortion";
     private const string Lens = "lens";
+    private const string Pixels = "pixels";
+    private const string ColourPixels = "rgb24";
+    private const string ThermalPixels = "grey16";
     private const string BrownConrady = "brownConrady";
     private const string Fisheye = "fisheye";
     private const string Readout = "readoutMicroseconds";
@@ -44,6 +47,9 @@ internal static class CameraModelDescription
         {
             Width = width,
             Height = height,
+            Format = camera.Choice(Pixels, ColourPixels, ThermalPixels) == ThermalPixels
+                ? PixelFormat.Grey16
+                : PixelFormat.Rgb24,
             FocalX = focal.X,
             FocalY = focal.Y,
             CentreX = focal.IsCalibrated ? camera.RequiredNumber("cx") : camera.Number("cx") ?? ((width - 1) / 2.0),
@@ -66,6 +72,8 @@ internal static class CameraModelDescription
     {
         json.WriteNumber("width", camera.Width);
         json.WriteNumber("height", camera.Height);
+        if (camera.Format == PixelFormat.Grey16)
+            json.WriteString(Pixels, ThermalPixels);
         json.WriteNumber("fx", camera.FocalX);
         json.WriteNumber("fy", camera.FocalY);
         json.WriteNumber("cx", camera.CentreX);

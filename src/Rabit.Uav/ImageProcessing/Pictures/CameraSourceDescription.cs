@@ -57,12 +57,7 @@ internal static class CameraSourceDescription
         {
             Program = PathOf(program ?? string.Empty, folder),
             Arguments = ReadArguments(source, model, rate, faults),
-            Format = source.Choice(Format, "mjpeg", "yuv420", "yuv420FullRange") switch
-            {
-                "yuv420" => ProcessCameraFormat.Yuv420,
-                "yuv420FullRange" => ProcessCameraFormat.Yuv420FullRange,
-                _ => ProcessCameraFormat.Mjpeg,
-            },
+            Format = ReadFormat(source, model, faults),
             Width = model.Width,
             Height = model.Height,
             MaxFramesPerSecond = rate,
@@ -73,11 +68,34 @@ internal static class CameraSourceDescription
         };
     }
 
+    // A thermal camera writes counts, and no other camera does.
+    private static ProcessCameraFormat ReadFormat(JsonFields source, CameraModel model, List<string> faults)
+    {
+        bool isThermal = model.Format == PixelFormat.Grey16;
+        ProcessCameraFormat? format = source.Choice(Format, "mjpeg", "yuv420", "yuv420FullRange", "grey16") switch
+        {
+            "mjpeg" => ProcessCameraFormat.Mjpeg,
+            "yuv420" => ProcessCameraFormat.Yuv420,
+            "yuv420FullRange" => ProcessCameraFormat.Yuv420FullRange,
+            "grey16" => ProcessCameraFormat.Grey16,
+            _ => null,
+        };
+        if (format is { } given && isThermal != (given == ProcessCameraFormat.Grey16))
+        {
+            faults.Add($"source.{Format} and camera.pixels do not match: a thermal camera, whose pixels are grey16, "
+                + "writes the format grey16, and no other camera does");
+        }
+
+        return format ?? (isThermal ? ProcessCameraFormat.Grey16 : ProcessCameraFormat.Mjpeg);
+    }
+
     private static V4l2CameraOptions ReadDevice(JsonFields source, CameraModel model, List<string> faults)
     {
         string? device = source.Text(Device);
         if (device is not null && string.IsNullOrWhiteSpace(device))
             faults.Add($"source.{Device} is empty");
+        if (model.Format != PixelFormat.Rgb24)
+            faults.Add($"source.{Device}: video devices are read as cameras of colour, and camera.pixels says grey16");
         if (!OperatingSystem.IsLinux())
             faults.Add($"source.{Device}: video devices are read on Linux only");
         bool isRaw = source.Choice(Format, "mjpeg", "yuyv") == "yuyv";

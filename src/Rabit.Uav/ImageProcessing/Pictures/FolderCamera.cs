@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Runtime.InteropServices;
 using System.Threading;
 using Rabit.Core;
 using Rabit.Uav.Messages;
@@ -174,8 +175,7 @@ public sealed class FolderCamera : ICamera
 
         try
         {
-            _reader.LoadInto(
-                Path.Combine(_folder.Path, picture.File), _folder.Camera.Width, _folder.Camera.Height, lease.Array);
+            Load(Path.Combine(_folder.Path, picture.File), lease.Array);
         }
         catch (PictureException e)
         {
@@ -189,12 +189,22 @@ public sealed class FolderCamera : ICamera
             Pixels = lease,
             Width = _folder.Camera.Width,
             Height = _folder.Camera.Height,
+            Format = _folder.Camera.Format,
             Number = picture.Facts.Number,
             FrameStart = RunTime(picture.Facts.StartUtcMicroseconds),
             Exposure = ExposureOf(picture),
         };
         Interlocked.Increment(ref _delivered);
         return true;
+    }
+
+    private void Load(string path, byte[] pixels)
+    {
+        (int width, int height) = (_folder.Camera.Width, _folder.Camera.Height);
+        if (_folder.Camera.Format == PixelFormat.Grey16)
+            _reader.LoadCountsInto(path, width, height, MemoryMarshal.Cast<byte, ushort>(pixels.AsSpan()));
+        else
+            _reader.LoadInto(path, width, height, pixels);
     }
 
     private void FindNew()

@@ -34,6 +34,8 @@ public sealed class PictureFolderWriter
     /// <exception cref="PictureException">It cannot be written.</exception>
     public string Write(in CameraFrame frame, DateTimeOffset frameStartUtc)
     {
+        if (frame.Format != PixelFormat.Rgb24)
+            throw new PictureException(_folder, "pictures of a thermal camera are not written");
         var facts = new PictureFileName(
             frame.Number, ToMicroseconds(frameStartUtc), frame.Exposure.Ticks / TicksPerMicrosecond);
         string name = facts.ToFileName();

@@ -276,6 +276,7 @@ public sealed class ProcessCamera : ICamera
             Pixels = lease,
             Width = _options.Width,
             Height = _options.Height,
+            Format = _options.Format == ProcessCameraFormat.Grey16 ? PixelFormat.Grey16 : PixelFormat.Rgb24,
             Number = number,
             FrameStart = _arrived - _options.Latency - _options.Exposure,
             Exposure = _options.Exposure,
@@ -288,6 +289,8 @@ public sealed class ProcessCamera : ICamera
     {
         if (_options.Format == ProcessCameraFormat.Mjpeg)
             _pictures.DecodeJpeg(_stream.Bytes, start, length, pixels);
+        else if (_options.Format == ProcessCameraFormat.Grey16)
+            Buffer.BlockCopy(_stream.Bytes, start, pixels, 0, length);
         else
             _pictures.ConvertYuv420(
                 _stream.Bytes, start, _options.Format == ProcessCameraFormat.Yuv420FullRange, pixels);

@@ -16,4 +16,10 @@ public enum ProcessCameraFormat
 
     /// <summary>The same with black at 0 and white at 255: <c>ffmpeg -pix_fmt yuvj420p</c>.</summary>
     Yuv420FullRange,
+
+    /// <summary>
+    /// Raw pictures of a thermal camera, counts of 16 bits, the lower byte first: <c>ffmpeg -f rawvideo -pix_fmt
+    /// gray16le</c>. They are pictures of <see cref="PixelFormat.Grey16"/>.
+    /// </summary>
+    Grey16,
 }

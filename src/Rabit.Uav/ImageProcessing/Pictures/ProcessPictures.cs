@@ -23,7 +23,7 @@ internal sealed class ProcessPictures
         // No JPEG of a camera is larger than its pixels.
         int picture = options.Format == ProcessCameraFormat.Mjpeg
             ? (options.Width * options.Height * 3) + ChunkBytes
-            : Yuv420.BytesOf(options.Width, options.Height);
+            : RawBytes;
         _maxBytes = picture + ChunkBytes;
         Bytes = new byte[Math.Min(_maxBytes, (picture / 4) + (2 * ChunkBytes))];
     }
@@ -33,6 +33,11 @@ internal sealed class ProcessPictures
 
     /// <summary>Whether there are more bytes without a picture than one may have.</summary>
     public bool IsFull => _filled == _maxBytes;
+
+    // Of one picture, where all are of one size.
+    private int RawBytes => _options.Format == ProcessCameraFormat.Grey16
+        ? _options.Width * _options.Height * DetectorInput.BytesPerPixel(PixelFormat.Grey16)
+        : Yuv420.BytesOf(_options.Width, _options.Height);
 
     public void Clear() => _filled = 0;
 
@@ -76,7 +81,7 @@ internal sealed class ProcessPictures
             return isFound;
         }
 
-        (start, length) = (from, Yuv420.BytesOf(_options.Width, _options.Height));
+        (start, length) = (from, RawBytes);
         bool isWhole = _filled - from >= length;
         keep = isWhole ? from + length : from;
         return isWhole;

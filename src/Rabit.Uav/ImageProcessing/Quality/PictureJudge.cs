@@ -1,5 +1,4 @@
 using System;
-using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing.Quality;
@@ -46,17 +45,13 @@ internal sealed class PictureJudge
     private const int PicturesToLearn = 8;
     private const double Forgetting = 1.0 / 32;
 
-    // Two pictures are compared when the ground has moved by twice the distance at which coarse detail is measured.
-    private const double MinPixelsMoved = 16;
-
     // A frozen picture differs by the noise of two pictures at most, which is part of the difference of neighbours. A
     // new one differs by more than the coarse detail, but where a wrong attitude in a turn says that the place has
     // moved and it has not, by an eighth of that only (seen in a nominal flight).
     private const double FrozenPartOfDetail = 0.05;
 
     private readonly PictureMeter _meter = new();
-    private GeodeticPosition? _reference;
-    private bool _isFrozen;
+    private readonly FrozenPictures _frozen = new();
     private int _learnt;
     private double _sharpness;
     private double _fineDetail;
@@ -116,16 +111,7 @@ internal sealed class PictureJudge
             return PictureQuality.MotionBlurred;
         if (isJudged && !isDirected && SharpnessOf(picture) < RequiredSharpness(isLearnt))
             return PictureQuality.Defocused;
-        return IsSmeared(view) ? PictureQuality.MotionBlurred : PictureQuality.Usable;
-    }
-
-    // By a smear that is longer than the largest pixel that is fine enough, unless the pixels are so much smaller that
-    // a smeared one covers no more ground than that one. The detail of the picture need not show it.
-    private static bool IsSmeared(in PictureView view)
-    {
-        double needed = view.NeededSamplingMetres;
-        double covered = view.GroundSamplingMetres * (view.GroundSamplingMetres + view.SmearMetres);
-        return view.SmearMetres > needed && covered > needed * needed;
+        return view.IsSmeared ? PictureQuality.MotionBlurred : PictureQuality.Usable;
     }
 
     private double RequiredSharpness(bool isLearnt)
@@ -133,19 +119,14 @@ internal sealed class PictureJudge
 
     private static double SharpnessOf(in PictureStatistics picture) => picture.FineDetail / picture.CoarseDetail;
 
-    // Once frozen it stays so until a picture differs, also where the vehicle hovers meanwhile.
     private bool IsFrozen(in PictureView view)
     {
         PictureStatistics picture = Statistics;
         bool isSame = _meter.DifferenceFromReference()
             < picture.NeighbourDifference + (FrozenPartOfDetail * picture.CoarseDetail);
-        bool hasMoved = _reference is { } centre && view.PixelsFrom(centre) > MinPixelsMoved;
-        _isFrozen = isSame && (_isFrozen || hasMoved);
-        if (_isFrozen || (_reference is not null && !hasMoved))
-            return _isFrozen;
-        _meter.KeepAsReference();
-        _reference = view.Centre;
-        return false;
+        if (_frozen.Take(isSame, view))
+            _meter.KeepAsReference();
+        return _frozen.IsFrozen;
     }
 
     private void Learn()

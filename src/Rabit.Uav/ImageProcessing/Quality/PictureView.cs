@@ -21,6 +21,20 @@ internal struct PictureView
     /// </summary>
     public double NeededSamplingMetres { get; set; }
 
+    /// <summary>
+    /// Whether it is smeared by more than the smallest class allows: by more than the largest pixel that is fine
+    /// enough, unless the pixels are so much smaller that a smeared one covers no more ground than that one. The detail
+    /// of the picture need not show it.
+    /// </summary>
+    public readonly bool IsSmeared
+    {
+        get
+        {
+            double covered = GroundSamplingMetres * (GroundSamplingMetres + SmearMetres);
+            return SmearMetres > NeededSamplingMetres && covered > NeededSamplingMetres * NeededSamplingMetres;
+        }
+    }
+
     /// <summary>How far on the middle of the picture is from that of another one, pixels.</summary>
     public readonly double PixelsFrom(GeodeticPosition centre)
     {

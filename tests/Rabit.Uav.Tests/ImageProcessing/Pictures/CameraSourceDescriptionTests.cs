@@ -108,12 +108,31 @@ public sealed class CameraSourceDescriptionTests : IDisposable
             "both a source", Assert.Throws<PictureException>(() => Open("""{ "program": "x" }, "frames": []""")).Reason,
             StringComparison.Ordinal);
 
-    private CameraFolder Open(string source)
+    [Theory]
+    [InlineData("""{ "program": "x" }""")]
+    [InlineData("""{ "program": "x", "format": "grey16" }""")]
+    public void Open_ThermalProgram_WritesCounts(string source)
+    {
+        CameraFolder folder = Open(source, "grey16");
+        Assert.Equal(PixelFormat.Grey16, folder.Camera.Format);
+        Assert.Equal(ProcessCameraFormat.Grey16, folder.Source!.Program!.Format);
+    }
+
+    [Theory]
+    [InlineData("""{ "program": "x", "format": "mjpeg" }""", "grey16", "source.format and camera.pixels do not match")]
+    [InlineData("""{ "program": "x", "format": "grey16" }""", "rgb24", "source.format and camera.pixels do not match")]
+    [InlineData("""{ "device": "/dev/video0" }""", "grey16", "source.device: video devices are read as cameras of colour")]
+    [InlineData("""{ "program": "x" }""", "grey8", "camera.pixels is \"grey8\"; it must be one of rgb24, grey16")]
+    public void Open_PixelsThatDoNotFit_NamesTheKey(string source, string pixels, string expected)
+        => Assert.Contains(
+            expected, Assert.Throws<PictureException>(() => Open(source, pixels)).Reason, StringComparison.Ordinal);
+
+    private CameraFolder Open(string source, string pixels = "rgb24")
     {
         string file = _folder.File("nadir.json");
         File.WriteAllText(file, $$"""
             { "source": {{source}},
-              "camera": { "width": 640, "height": 480, "horizontalFieldOfViewDegrees": 62,
+              "camera": { "width": 640, "height": 480, "pixels": "{{pixels}}", "horizontalFieldOfViewDegrees": 62,
                 "mount": { "bodyFromCamera": [[0, -1, 0], [1, 0, 0], [0, 0, 1]], "leverArmBodyMetres": [0, 0, 0] } } }
             """);
         return CameraFolder.Open(file);

@@ -21,12 +21,13 @@ internal sealed class FolderCameraRig : IDisposable
     private readonly BufferPool _pool = new("test", 1, SamplePictures.Width * SamplePictures.Height * 3);
     private RabitReactor? _reactor;
 
-    public FolderCameraRig(int buffers = 6)
+    public FolderCameraRig(int buffers = 6, PixelFormat format = PixelFormat.Rgb24)
     {
         var model = new CameraModel
         {
             Width = SamplePictures.Width,
             Height = SamplePictures.Height,
+            Format = format,
             FocalX = 5,
             FocalY = 5,
             CentreX = 1.5,

@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Linq;
+using System.Text;
 using Rabit.Tests.Shared;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Vision;
@@ -54,6 +55,29 @@ public sealed class FolderCameraTests : IDisposable
             Assert.Equal(At((0.5 * number) + 0.4), _rig.Taken[number].Frame.FrameStart);
             Assert.InRange(_rig.Taken[number].Time - At(0.5 * (number + 1)), TimeSpan.Zero, At(1));
         }
+    }
+
+    [Fact]
+    public void Read_ThermalCamera_GivesCountsAndRefusesPicturesOfEightBits()
+    {
+        _rig.Dispose();
+        _rig = new FolderCameraRig(format: PixelFormat.Grey16);
+        _rig.Reopen();   // the format is in camera.json
+        (int width, int height) = (SamplePictures.Width, SamplePictures.Height);
+        byte[] header = Encoding.ASCII.GetBytes($"P5\n{width} {height}\n65535\n");
+        byte[] counts = new byte[width * height * 2];
+        (counts[0], counts[1]) = (0x1C, 0x84);   // 7300; a PGM has the higher byte first
+        File.WriteAllBytes(_rig.PathOf("f000001_" + Micros(1) + "_e2000.pgm"), [.. header, .. counts]);
+        File.WriteAllBytes(
+            _rig.PathOf("f000002_" + Micros(2) + "_e2000.png"),
+            PngPicture.Encode(new RgbPicture(width, height, SamplePictures.Pixels())));
+
+        _rig.RunFor(At(5));
+
+        Assert.Equal(PixelFormat.Grey16, Assert.Single(_rig.Taken).Frame.Format);
+        Assert.Equal([0x84, 0x1C], _rig.Taken[0].Pixels.Take(2));
+        Assert.Equal(1, _rig.Camera.PicturesRefused);
+        Assert.Contains("it has no 16 bits of grey", _rig.Camera.LastRefusal, StringComparison.Ordinal);
     }
 
     [Fact]

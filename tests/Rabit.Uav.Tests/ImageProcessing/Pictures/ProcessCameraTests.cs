@@ -50,6 +50,22 @@ public sealed class ProcessCameraTests : IDisposable
     }
 
     [ShellFact]
+    public void Read_Thermal_GivesItsCounts()
+    {
+        byte[] counts = new byte[61 * 43 * 2];
+        new Random(3).NextBytes(counts);
+        File.WriteAllBytes(_folder.File("counts"), [.. counts, .. counts.Take(100)]);
+        ProcessCameraOptions options = Options("cat \"$1\"; sleep 60", _folder.File("counts"));
+        options.Format = ProcessCameraFormat.Grey16;
+        var frames = new List<CameraFrame>();
+
+        byte[] read = Assert.Single(Run(options, 1, out ProcessCamera camera, frames: frames));
+        Assert.Equal(counts, read.Take(counts.Length));
+        Assert.Equal(PixelFormat.Grey16, frames[0].Format);
+        Assert.Equal((1, 0), (camera.PicturesDelivered, camera.PicturesRefused));
+    }
+
+    [ShellFact]
     public void Read_ProgramThatEnds_IsStartedAgainAndItsErrorsAreLogged()
     {
         ProcessCameraOptions options = Options(
