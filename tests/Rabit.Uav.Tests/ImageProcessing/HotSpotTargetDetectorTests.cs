@@ -167,7 +167,7 @@ public sealed class HotSpotTargetDetectorTests(ITestOutputHelper output)
         };
         Assert.Equal(3, TargetClass.FindFaults([wrong]).Count());
         Assert.Contains(
-            "is no hot spot",
+            "has no hot spot, which the hot spot detector needs",
             Assert.Throws<ArgumentException>(() => new HotSpotTargetDetector(TargetClass.Defaults)).Message,
             StringComparison.Ordinal);
         var camera = new CameraModel { Width = 320, Height = 256, FocalX = 300, FocalY = 300 };

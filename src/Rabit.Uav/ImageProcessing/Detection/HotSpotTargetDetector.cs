@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Immutable;
-using System.Linq;
 using System.Runtime.InteropServices;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Messages;
@@ -57,15 +56,7 @@ public sealed class HotSpotTargetDetector : ITargetDetector
     /// <exception cref="ArgumentException">A class is no hot spot, or says what cannot be.</exception>
     public HotSpotTargetDetector(ImmutableArray<TargetClass> classes)
     {
-        string[] faults = TargetClass.FindFaults(classes).ToArray();
-        if (faults.Length == 0)
-        {
-            faults = classes.Where(c => c.HotSpot is null)
-                .Select(c => $"target class {c.Name} is no hot spot, which this detector needs").ToArray();
-        }
-
-        if (faults.Length > 0)
-            throw new ArgumentException("Hot spot detector: " + string.Join("; ", faults) + ".", nameof(classes));
+        DetectorClasses.Demand(classes, "hot spot", c => c.HotSpot is not null, nameof(classes));
         _classes = classes;
     }
 
