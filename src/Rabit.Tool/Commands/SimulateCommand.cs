@@ -87,6 +87,15 @@ internal static class SimulateCommand
             DefaultValueFactory = _ => defaults.SystemId,
         };
 
+        var group = new Option<int>("--group")
+        {
+            Description = "It is one of N vehicles that stand side by side in the world of the seed, 2 to "
+                + $"{SimulatedGroupOptions.MaxVehicles}, each in a process of its own; --system-id, 1 to N, says which.",
+            HelpName = "N",
+            CustomParser = result => (int)ParseNumber(result, "--group", 2, SimulatedGroupOptions.MaxVehicles),
+            DefaultValueFactory = _ => 1,
+        };
+
         autopilot.CompletionSources.Clear();   // the names of the enumeration
         autopilot.CompletionSources.Add("ardupilot", "px4");
         link.CompletionSources.Add("udpout:", "udpin:", "udpbcast:", "tcp:", "tcpin:", "serial:");
@@ -94,7 +103,7 @@ internal static class SimulateCommand
             "simulate",
             "A simulated multirotor in real time that speaks MAVLink as ArduPilot's Copter or PX4 does, until Ctrl-C.")
         {
-            link, systemId, autopilot, seed, targets, wind, mission, camera, truth, signKey,
+            link, systemId, group, autopilot, seed, targets, wind, mission, camera, truth, signKey,
         };
         command.SetAction(result => VehicleRun.Run(new VehicleOptions(
             result.GetValue(link)!,
@@ -109,7 +118,8 @@ internal static class SimulateCommand
             result.GetValue(mission),
             result.GetValue(truth),
             result.GetValue(camera),
-            result.GetValue(signKey)), result.InvocationConfiguration));
+            result.GetValue(signKey),
+            result.GetValue(group)), result.InvocationConfiguration));
         return command;
     }
 

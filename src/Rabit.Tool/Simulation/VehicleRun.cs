@@ -34,7 +34,7 @@ internal static class VehicleRun
             CheckTruthOverwrites("--sign-key", options.SignKeyFile, options);
             if (options.MissionFile is not null)
                 MissionWorld.Read(options.MissionFile, options.World);
-            var world = new SimulatedWorld(options.World);
+            SimulatedWorld world = CreateWorld(options);
             using TruthOutput? truthFile = TruthOutput.Open(options.TruthFile);
             CameraFolder? folder = options.CameraFolder is { } path
                 ? CameraFolder.Create(path, world.CameraModel, world.CameraMount)
@@ -52,6 +52,22 @@ internal static class VehicleRun
         {
             throw new ToolException(FirstLine(e), e);
         }
+    }
+
+    // One of several is the same as in a simulated group: the targets are those of all, start and errors its own.
+    private static SimulatedWorld CreateWorld(VehicleOptions options)
+    {
+        if (options.GroupSize == 1)
+            return new SimulatedWorld(options.World);
+        int number = options.World.SystemId;
+        if (number > options.GroupSize)
+            throw new ArgumentException(
+                $"--group {options.GroupSize}: the vehicles have the system ids 1 to {options.GroupSize}, "
+                    + $"not {number}.",
+                nameof(options));
+        var group = new SimulatedGroup(
+            new SimulatedGroupOptions { Vehicles = options.GroupSize, World = options.World });
+        return group.Vehicles[number - 1].World;
     }
 
     private static int Fly(

@@ -7,6 +7,9 @@ namespace Rabit.Uav.Communications;
 // Frames on their way to a link: at once, or where it has a budget in their turn.
 public sealed partial class CommunicationsManager
 {
+    // The shortest delay that there is.
+    private static readonly TimeSpan AtOnce = TimeSpan.FromTicks(1);
+
     private LinkScheduler? MakeScheduler(int link)
     {
         if (!_options.SendBudgets.TryGetValue(link, out SendBudget? budget))
@@ -117,18 +120,20 @@ public sealed partial class CommunicationsManager
             RecordOwn(numbered, frame.CrcExtra);
     }
 
+    // Time goes on during a unit of work: what is due meanwhile is due at once, and a delay is never zero.
     private TimeSpan Earliest(TimeSpan delay)
     {
+        TimeSpan now = Now;
         foreach (LinkPort port in _ports)
         {
-            if (port.Scheduler?.TimeToNext(Now) is { } next && next < delay)
+            if (port.Scheduler?.TimeToNext(now) is { } next && next < delay)
                 delay = next;
-            if (port.FlushDue != TimeSpan.MaxValue && port.FlushDue - Now < delay)
-                delay = port.FlushDue > Now ? port.FlushDue - Now : TimeSpan.Zero;
+            if (port.FlushDue != TimeSpan.MaxValue && port.FlushDue - now < delay)
+                delay = port.FlushDue - now;
         }
 
-        if (_exchange is not null && _exchangeDue - Now < delay)
-            delay = _exchangeDue > Now ? _exchangeDue - Now : TimeSpan.Zero;
-        return delay;
+        if (_exchange is not null && _exchangeDue - now < delay)
+            delay = _exchangeDue - now;
+        return delay > TimeSpan.Zero ? delay : AtOnce;
     }
 }

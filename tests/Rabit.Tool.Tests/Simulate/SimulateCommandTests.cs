@@ -1,6 +1,7 @@
 using System;
 using System.Diagnostics;
 using System.IO;
+using System.Linq;
 using System.Net;
 using System.Net.Sockets;
 using System.Text.Json;
@@ -70,6 +71,7 @@ public class SimulateCommandTests
     [InlineData("--targets", "many", "--targets many")]
     [InlineData("--wind", "-3", "0 to 25")]
     [InlineData("--system-id", "255", "1 to 254")]
+    [InlineData("--group", "1", "2 to 8")]
     [InlineData("--mission", "no-such-file.json", "no-such-file.json")]
     public void BadInput_IsOneLineAndExitCode2(string option, string value, string named)
     {
@@ -78,6 +80,44 @@ public class SimulateCommandTests
         Assert.StartsWith("rabit simulate: ", vehicle.Output, StringComparison.Ordinal);
         Assert.Contains(named == "--link" ? "udp:1" : named, vehicle.Output, StringComparison.Ordinal);
         Assert.DoesNotContain("\n", vehicle.Output, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Group_SystemIdThatIsNoneOfThem_IsNamed()
+    {
+        using var vehicle = new SampleProcess("Rabit.Tool", "simulate", "--group", "2", "--system-id", "3");
+        Assert.Equal(2, vehicle.WaitForEnd());
+        Assert.Equal(
+            "rabit simulate: --group 2: the vehicles have the system ids 1 to 2, not 3.", vehicle.Output.Trim());
+    }
+
+    [Fact]
+    public void Group_TwoOfIt_HaveTheTargetsOfOneWorldAndStartApart()
+    {
+        JsonElement[] truths = [.. new[] { "1", "2" }.Select(Truth)];
+
+        string Targets(JsonElement truth) => string.Join(
+            " ", truth.GetProperty("targets").EnumerateArray().Select(
+                t => FormattableString.Invariant($"{t.GetProperty("latitudeDegrees").GetDouble():0.000000}")));
+        Assert.NotEmpty(Targets(truths[0]));
+        Assert.Equal(Targets(truths[0]), Targets(truths[1]));
+        Assert.NotEqual(
+            truths[0].GetProperty("home").GetProperty("longitudeDegrees").GetDouble(),
+            truths[1].GetProperty("home").GetProperty("longitudeDegrees").GetDouble(), 6);
+    }
+
+    private static JsonElement Truth(string systemId)
+    {
+        string file = Path.Combine(Path.GetTempPath(), $"rabit-truth-{Guid.NewGuid():N}.json");
+        using var vehicle = new SampleProcess(
+            "Rabit.Tool", "simulate", "--link", $"udpout:127.0.0.1:{FreePort()}", "--group", "2",
+            "--system-id", systemId, "--truth-out", file);
+        vehicle.WaitUntil(() => vehicle.Output.Contains("on the ground", StringComparison.Ordinal));
+        vehicle.Interrupt();
+        Assert.Equal(0, vehicle.WaitForEnd());
+        JsonElement truth = JsonDocument.Parse(File.ReadAllText(file)).RootElement.Clone();
+        File.Delete(file);
+        return truth;
     }
 
     private static void Send<T>(UdpListenLink link, T message)

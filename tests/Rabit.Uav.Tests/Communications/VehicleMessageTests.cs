@@ -217,7 +217,7 @@ public sealed class VehicleMessageTests
         CentreY = 17.25,
     };
 
-    private static byte[] FrameOf(
+    internal static byte[] FrameOf(
         in TargetReport report, byte system, byte component = 191, byte target = 0, byte sequence = 0, uint number = 1)
     {
         var buffer = new byte[VehicleMessageRoute.MaxLength];
