@@ -65,7 +65,7 @@ internal sealed class ReaderActivity<T>(
 
     private bool TryHandOver()
     {
-        MessageQueue<T> queue = sender.Queue!;
+        MessageQueue<T, SyncPoints> queue = sender.Queue!;
         if (queue.FullMode == QueueFullMode.Wait)
             return TryHandOver((LockedQueue<T>)queue);
 

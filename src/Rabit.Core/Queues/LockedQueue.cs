@@ -21,7 +21,7 @@ namespace Rabit.Core.Queues;
 internal sealed partial class LockedQueue<T>(
     string name, int capacity, QueueFullMode fullMode, WakeUpEvent? receiverWakeUp, TimeSpan? maxWait, RunClock clock,
     RabitLog log, bool inheritsPriority = false)
-    : MessageQueue<T>(name, capacity, fullMode, receiverWakeUp, maxWait)
+    : MessageQueue<T, SyncPoints>(name, capacity, fullMode, receiverWakeUp, maxWait)
 {
     private readonly EndpointLock _gate = new(inheritsPriority);
     private readonly T[] _ring = new T[capacity];

@@ -1,6 +1,6 @@
 using System;
 using System.Diagnostics.CodeAnalysis;
-using System.Threading;
+using System.Runtime.CompilerServices;
 using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Queues;
@@ -9,11 +9,12 @@ namespace Rabit.Core.Queues;
 /// A bounded first-in first-out queue: many senders, one receiver. What all kinds have in common; the wiring chooses
 /// the kind (<see cref="QueueBinding{T}"/>).
 /// </summary>
-internal abstract class MessageQueue<T>(
-    string name, int capacity, QueueFullMode fullMode, WakeUpEvent? receiverWakeUp, TimeSpan? maxWait = null)
+internal abstract class MessageQueue<T, TSync>(
+    string name, int capacity, QueueFullMode fullMode, WakeUpEvent<TSync>? receiverWakeUp, TimeSpan? maxWait = null)
         : IMessageQueue
+    where TSync : struct, ISyncPoints
 {
-    private WakeUpEvent[] _popTargets = [];   // written while wiring, then read only
+    private WakeUpEvent<TSync>[] _popTargets = [];   // written while wiring, then read only
 
     public string Name { get; } = name;
 
@@ -30,11 +31,11 @@ internal abstract class MessageQueue<T>(
     public abstract QueueCounters Counters { get; }
 
     /// <summary>Whom a push wakes; null where the receiver did not ask for it.</summary>
-    protected WakeUpEvent? ReceiverWakeUp { get; } = receiverWakeUp;
+    protected WakeUpEvent<TSync>? ReceiverWakeUp { get; } = receiverWakeUp;
 
     protected bool WakesSenders => _popTargets.Length != 0;
 
-    public void AddPopTarget(WakeUpEvent sender) => _popTargets = [.. _popTargets, sender];
+    public void AddPopTarget(WakeUpEvent<TSync> sender) => _popTargets = [.. _popTargets, sender];
 
     public abstract PushResult Push(in T value);
 
@@ -58,19 +59,33 @@ internal abstract class MessageQueue<T>(
     {
     }
 
+    /// <summary>A plain read of a place for values.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    protected T Read(ref T place) => default(TSync).IsMachine ? place : default(TSync).Read(ref place);
+
+    /// <summary>A plain write.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    protected void Write(ref T place, in T value)
+    {
+        if (default(TSync).IsMachine)
+            place = value;
+        else
+            default(TSync).Write(ref place, value);
+    }
+
     /// <summary>
     /// Whether a wake for a push is on its way to the receiver already, so that one more would merge with it. Only
     /// after a full fence (the two rings), or inside the lock in which the receiver pops (the locked queue): the three
     /// kinds say why.
     /// </summary>
-    protected static bool IsPending(WakeUpEvent wakeUp, WakeUpCauses cause) => wakeUp.Has((int)cause);
+    protected static bool IsPending(WakeUpEvent<TSync> wakeUp, WakeUpCauses cause) => wakeUp.Has((int)cause);
 
     /// <summary>Wakes the senders that asked for it. After the pop, outside every lock.</summary>
     protected void WakeSenders()
     {
         // The pop before the check: a sender that takes its wake-ups after our check sees the room.
-        Interlocked.MemoryBarrier();
-        foreach (WakeUpEvent sender in _popTargets)
+        default(TSync).Fence();
+        foreach (WakeUpEvent<TSync> sender in _popTargets)
         {
             if (!IsPending(sender, WakeUpCauses.Pop))
                 sender.Wake(WakeUpCauses.Pop);

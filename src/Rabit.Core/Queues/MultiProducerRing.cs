@@ -1,7 +1,6 @@
 using System;
 using System.Diagnostics.CodeAnalysis;
 using System.Runtime.CompilerServices;
-using System.Threading;
 using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Queues;
@@ -39,7 +38,8 @@ namespace Rabit.Core.Queues;
 /// A sender that is held up between its check and its compare-and-swap while exactly 2^32 values go by would be misled
 /// (the ABA problem): 40 s at full speed, and then one chance in four thousand million.
 /// </remarks>
-internal sealed class MultiProducerRing<T> : MessageQueue<T>
+internal sealed class MultiProducerRing<T, TSync> : MessageQueue<T, TSync>
+    where TSync : struct, ISyncPoints
 {
     private readonly Slot[] _slots;   // a power of two of them
     private RingPositions _state;
@@ -48,7 +48,7 @@ internal sealed class MultiProducerRing<T> : MessageQueue<T>
     /// <param name="capacity">How many values fit in.</param>
     /// <param name="receiverWakeUp">Whom a push wakes.</param>
     /// <param name="start">The first position; tests let it wrap round soon.</param>
-    public MultiProducerRing(string name, int capacity, WakeUpEvent? receiverWakeUp, int start = 0)
+    public MultiProducerRing(string name, int capacity, WakeUpEvent<TSync>? receiverWakeUp, int start = 0)
         : base(name, capacity, QueueFullMode.Reject, receiverWakeUp)
     {
         int size = RingPositions.SizeFor(capacity);
@@ -60,22 +60,22 @@ internal sealed class MultiProducerRing<T> : MessageQueue<T>
 
     public override int Count => Counters.Resident;
 
-    public override QueueCounters Counters => _state.Counters<SyncPoints>(Capacity);
+    public override QueueCounters Counters => _state.Counters<TSync>(Capacity);
 
     public override PushResult Push(in T value)
     {
-        if (_state.Reserve<SyncPoints>(1, Capacity, out int position) == 0)
+        if (_state.Reserve<TSync>(1, Capacity, out int position) == 0)
             return PushResult.Rejected;
         ref Slot slot = ref SlotAt(position);
-        slot.Value = value;
-        WakeUpEvent? receiver = ReceiverWakeUp;
+        Write(ref slot.Value, value);
+        WakeUpEvent<TSync>? receiver = ReceiverWakeUp;
         if (receiver is null)
         {
-            Volatile.Write(ref slot.Sequence, unchecked(position + 1));
+            default(TSync).VolatileWrite(ref slot.Sequence, unchecked(position + 1));
             return PushResult.Queued;
         }
 
-        Interlocked.Exchange(ref slot.Sequence, unchecked(position + 1));
+        default(TSync).Exchange(ref slot.Sequence, unchecked(position + 1));
         if (!IsPending(receiver, WakeUpCauses.Push))
             receiver.Wake(WakeUpCauses.Push);
         return PushResult.Queued;
@@ -85,17 +85,17 @@ internal sealed class MultiProducerRing<T> : MessageQueue<T>
     {
         if (values.IsEmpty)
             return 0;
-        int count = _state.Reserve<SyncPoints>(values.Length, Capacity, out int position);
+        int count = _state.Reserve<TSync>(values.Length, Capacity, out int position);
         for (int i = 0; i < count; i++)
         {
             ref Slot slot = ref SlotAt(unchecked(position + i));
-            slot.Value = values[i];
-            Volatile.Write(ref slot.Sequence, unchecked(position + i + 1));
+            Write(ref slot.Value, values[i]);
+            default(TSync).VolatileWrite(ref slot.Sequence, unchecked(position + i + 1));
         }
 
         if (count > 0 && ReceiverWakeUp is { } receiver)
         {
-            Interlocked.MemoryBarrier();
+            default(TSync).Fence();
             if (!IsPending(receiver, WakeUpCauses.Push))
                 receiver.Wake(WakeUpCauses.Push);
         }
@@ -105,18 +105,18 @@ internal sealed class MultiProducerRing<T> : MessageQueue<T>
 
     public override bool TryPop([MaybeNullWhen(false)] out T value)
     {
-        int head = _state.Head;
+        int head = _state.Head<TSync>();
         ref Slot slot = ref SlotAt(head);
-        if (Volatile.Read(ref slot.Sequence) != unchecked(head + 1))
+        if (default(TSync).VolatileRead(ref slot.Sequence) != unchecked(head + 1))
         {
             value = default;
             return false;
         }
 
-        value = slot.Value;
+        value = Read(ref slot.Value);
         if (References.In<T>())
-            slot.Value = default!;
-        _state.MoveHead(1);
+            Write(ref slot.Value, default!);
+        _state.MoveHead<TSync>(1);
         if (WakesSenders)
             WakeSenders();
         return true;
@@ -124,29 +124,29 @@ internal sealed class MultiProducerRing<T> : MessageQueue<T>
 
     public override int PopInto(Span<T> target)
     {
-        int head = _state.Head;
+        int head = _state.Head<TSync>();
         int popped = 0;
         for (; popped < target.Length; popped++)
         {
             int position = unchecked(head + popped);
             ref Slot slot = ref SlotAt(position);
-            if (Volatile.Read(ref slot.Sequence) != unchecked(position + 1))
+            if (default(TSync).VolatileRead(ref slot.Sequence) != unchecked(position + 1))
                 break;
-            target[popped] = slot.Value;
+            target[popped] = Read(ref slot.Value);
             if (References.In<T>())
-                slot.Value = default!;
+                Write(ref slot.Value, default!);
         }
 
         if (popped == 0)
             return 0;
-        _state.MoveHead(popped);
+        _state.MoveHead<TSync>(popped);
         if (WakesSenders)
             WakeSenders();
         return popped;
     }
 
     /// <summary>Takes nothing more. What is left stays: it need not be returned.</summary>
-    public override void Close() => _state.Close<SyncPoints>();
+    public override void Close() => _state.Close<TSync>();
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private ref Slot SlotAt(int position)

@@ -31,7 +31,7 @@ internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, st
     /// </summary>
     public bool IsChannel { get; private set; }
 
-    public MessageQueue<T>? Queue { get; private set; }
+    public MessageQueue<T, SyncPoints>? Queue { get; private set; }
 
     /// <inheritdoc/>
     public bool IsHolding { get; private set; }
@@ -43,9 +43,9 @@ internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, st
 
     /// <summary>The queue, after the check that the owner may use it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public MessageQueue<T> Use()
+    public MessageQueue<T, SyncPoints> Use()
     {
-        MessageQueue<T>? queue = Queue;
+        MessageQueue<T, SyncPoints>? queue = Queue;
         if (queue is null || (RunningManager.Current != Owner && Owner.IsManager))
             ThrowMisuse();
         return queue!;
@@ -111,8 +111,8 @@ internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, st
         EndpointOwner[] senders = endpoints.Where(e => e.Role == EndpointRole.Send).Select(e => e.Owner)
             .Distinct().ToArray();
         return senders.Length == 1 && !senders[0].IsOutside
-            ? new SingleProducerRing<T>(Name, receiver.Capacity, wakeUp)
-            : new MultiProducerRing<T>(Name, receiver.Capacity, wakeUp);
+            ? new SingleProducerRing<T, SyncPoints>(Name, receiver.Capacity, wakeUp)
+            : new MultiProducerRing<T, SyncPoints>(Name, receiver.Capacity, wakeUp);
     }
 
     /// <inheritdoc/>
@@ -132,7 +132,7 @@ internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, st
 
     public override void Bind(IConnector connector, EndpointDeclaration? firstOfOwner)
     {
-        Queue = (MessageQueue<T>)connector;
+        Queue = (MessageQueue<T, SyncPoints>)connector;
         if (Role == EndpointRole.Send && Wakes && Owner.WakeUp is { } wakeUp)
             Queue.AddPopTarget(wakeUp);
     }

@@ -3,6 +3,7 @@ using System.Threading;
 using System.Threading.Channels;
 using System.Threading.Tasks;
 using Rabit.Core.Queues;
+using Rabit.Core.WakeUp;
 
 namespace Rabit.Core;
 
@@ -47,7 +48,7 @@ public sealed class QueueSender<T>
     /// </exception>
     public PushResult Push(in T value)
     {
-        MessageQueue<T> queue = _binding.Use();
+        MessageQueue<T, SyncPoints> queue = _binding.Use();
         if (queue.FullMode == QueueFullMode.Wait)
             ThrowMustWait();
         return queue.Push(value);
@@ -63,7 +64,7 @@ public sealed class QueueSender<T>
     /// <exception cref="InvalidOperationException">See <see cref="Push"/>.</exception>
     public int PushFrom(ReadOnlySpan<T> values)
     {
-        MessageQueue<T> queue = _binding.Use();
+        MessageQueue<T, SyncPoints> queue = _binding.Use();
         if (queue.FullMode == QueueFullMode.Wait)
             ThrowMustWait();
         return queue.PushFrom(values);

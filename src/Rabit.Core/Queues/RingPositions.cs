@@ -7,7 +7,7 @@ using Rabit.Core.WakeUp;
 namespace Rabit.Core.Queues;
 
 /// <summary>
-/// Head, tail and counters of a <see cref="MultiProducerRing{T}"/> or <see cref="SingleProducerRing{T}"/>, which say
+/// Head, tail and counters of a <see cref="MultiProducerRing{T, TSync}"/> or <see cref="SingleProducerRing{T, TSync}"/>, which say
 /// how they are used. What senders write, what the receiver writes and the neighbours lie on different cache lines (128
 /// bytes: two lines that are fetched together), against false sharing.
 /// </summary>
@@ -72,9 +72,6 @@ internal struct RingPositions
         _seenTail = start;
         _lastHighWater = -1;
     }
-
-    /// <summary>The receiver's only.</summary>
-    public readonly int Head => _head;
 
     /// <summary>How many slots hold so many values: a power of two.</summary>
     public static int SizeFor(int capacity)
@@ -147,21 +144,34 @@ internal struct RingPositions
     /// How many values of a single producer the receiver finds; it looks at the tail only when it knows of too few.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public int Available(int wanted)
+    public int Available<TSync>(int wanted)
+        where TSync : struct, ISyncPoints
     {
-        int known = unchecked(_seenTail - _head);
-        return known >= wanted ? known : unchecked((_seenTail = Volatile.Read(ref _tail)) - _head) & Distance;
+        int head = Head<TSync>();
+        int known = unchecked(default(TSync).Read(ref _seenTail) - head);
+        if (known >= wanted)
+            return known;
+        int tail = default(TSync).VolatileRead(ref _tail);
+        default(TSync).Write(ref _seenTail, tail);
+        return unchecked(tail - head) & Distance;
     }
+
+    /// <summary>Where the oldest value is. The receiver's only.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public int Head<TSync>()
+        where TSync : struct, ISyncPoints
+        => default(TSync).Read(ref _head);
 
     /// <summary>The receiver has taken values out and cleared their slots.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void MoveHead(int count)
+    public void MoveHead<TSync>(int count)
+        where TSync : struct, ISyncPoints
     {
-        int next = unchecked(_head + count);
-        bool crosses = (next ^ _head) < 0;
-        Volatile.Write(ref _head, next);
-        if (crosses)
-            Volatile.Write(ref _halfWraps, unchecked(_halfWraps + 1));
+        int head = Head<TSync>();
+        int next = unchecked(head + count);
+        default(TSync).VolatileWrite(ref _head, next);
+        if ((next ^ head) < 0)
+            default(TSync).VolatileWrite(ref _halfWraps, unchecked(default(TSync).Read(ref _halfWraps) + 1));
     }
 
     /// <summary>No push finds room any more, and none that is under way puts a value in. Once only.</summary>

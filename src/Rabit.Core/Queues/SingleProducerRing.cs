@@ -1,7 +1,6 @@
 using System;
 using System.Diagnostics.CodeAnalysis;
 using System.Runtime.CompilerServices;
-using System.Threading;
 using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Queues;
@@ -9,7 +8,7 @@ namespace Rabit.Core.Queues;
 /// <summary>The queue that rejects when it is full, for one sender and one receiver, each a manager, reader or writer:
 /// a lock-free single-producer single-consumer (SPSC) ring.</summary>
 /// <remarks>
-/// Requirements: those of <see cref="MultiProducerRing{T}"/>, with one sender. Only the sender moves the
+/// Requirements: those of <see cref="MultiProducerRing{T, TSync}"/>, with one sender. Only the sender moves the
 /// tail, only the receiver moves the head; the check of who uses an endpoint enforces it.
 /// The sender writes a value before it moves the tail, the receiver reads the tail before the value; the receiver
 /// clears a slot before it moves the head, the sender reads the head before it writes into the slot: a release and an
@@ -22,7 +21,8 @@ namespace Rabit.Core.Queues;
 /// the compare-and-swap fails, and the push is rejected.</item>
 /// </list>
 /// </remarks>
-internal sealed class SingleProducerRing<T> : MessageQueue<T>
+internal sealed class SingleProducerRing<T, TSync> : MessageQueue<T, TSync>
+    where TSync : struct, ISyncPoints
 {
     private readonly T[] _slots;   // a power of two of them
     private RingPositions _state;
@@ -32,7 +32,7 @@ internal sealed class SingleProducerRing<T> : MessageQueue<T>
     /// <param name="receiverWakeUp">Whom a push wakes.</param>
     /// <param name="start">The first position; tests let it wrap round soon.</param>
     public SingleProducerRing(
-        string name, int capacity, WakeUpEvent? receiverWakeUp, int start = 0)
+        string name, int capacity, WakeUpEvent<TSync>? receiverWakeUp, int start = 0)
         : base(name, capacity, QueueFullMode.Reject, receiverWakeUp)
     {
         _slots = new T[RingPositions.SizeFor(capacity)];
@@ -41,13 +41,13 @@ internal sealed class SingleProducerRing<T> : MessageQueue<T>
 
     public override int Count => Counters.Resident;
 
-    public override QueueCounters Counters => _state.Counters<SyncPoints>(Capacity);
+    public override QueueCounters Counters => _state.Counters<TSync>(Capacity);
 
     public override PushResult Push(in T value)
     {
-        if (_state.Find<SyncPoints>(1, Capacity, out int position) == 0)
+        if (_state.Find<TSync>(1, Capacity, out int position) == 0)
             return PushResult.Rejected;
-        SlotAt(position) = value;
+        Write(ref SlotAt(position), value);
         return TryPublish(position, 1) ? PushResult.Queued : PushResult.Rejected;
     }
 
@@ -55,25 +55,25 @@ internal sealed class SingleProducerRing<T> : MessageQueue<T>
     {
         if (values.IsEmpty)
             return 0;
-        int count = _state.Find<SyncPoints>(values.Length, Capacity, out int position);
+        int count = _state.Find<TSync>(values.Length, Capacity, out int position);
         for (int i = 0; i < count; i++)
-            SlotAt(unchecked(position + i)) = values[i];
+            Write(ref SlotAt(unchecked(position + i)), values[i]);
         return count > 0 && TryPublish(position, count) ? count : 0;
     }
 
     public override bool TryPop([MaybeNullWhen(false)] out T value)
     {
-        if (_state.Available(1) == 0)
+        if (_state.Available<TSync>(1) == 0)
         {
             value = default;
             return false;
         }
 
-        ref T slot = ref SlotAt(_state.Head);
-        value = slot;
+        ref T slot = ref SlotAt(_state.Head<TSync>());
+        value = Read(ref slot);
         if (References.In<T>())
-            slot = default!;
-        _state.MoveHead(1);
+            Write(ref slot, default!);
+        _state.MoveHead<TSync>(1);
         if (WakesSenders)
             WakeSenders();
         return true;
@@ -81,31 +81,32 @@ internal sealed class SingleProducerRing<T> : MessageQueue<T>
 
     public override int PopInto(Span<T> target)
     {
-        int popped = Math.Min(_state.Available(target.Length), target.Length);
+        int popped = Math.Min(_state.Available<TSync>(target.Length), target.Length);
+        int head = _state.Head<TSync>();
         for (int i = 0; i < popped; i++)
         {
-            ref T slot = ref SlotAt(unchecked(_state.Head + i));
-            target[i] = slot;
+            ref T slot = ref SlotAt(unchecked(head + i));
+            target[i] = Read(ref slot);
             if (References.In<T>())
-                slot = default!;
+                Write(ref slot, default!);
         }
 
         if (popped == 0)
             return 0;
-        _state.MoveHead(popped);
+        _state.MoveHead<TSync>(popped);
         if (WakesSenders)
             WakeSenders();
         return popped;
     }
 
     /// <summary>Takes nothing more. What is left stays: it need not be returned.</summary>
-    public override void Close() => _state.Close<SyncPoints>();
+    public override void Close() => _state.Close<TSync>();
 
     /// <returns>False where the queue was closed meanwhile: the values are not in it.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool TryPublish(int position, int count)
     {
-        if (!_state.TryMoveTail<SyncPoints>(position, count))
+        if (!_state.TryMoveTail<TSync>(position, count))
             return false;
         if (ReceiverWakeUp is { } receiver && !IsPending(receiver, WakeUpCauses.Push))
             receiver.Wake(WakeUpCauses.Push);

@@ -21,11 +21,27 @@ namespace Rabit.Core.WakeUp;
 /// <item>interlocked: in order with everything;</item>
 /// <item>signals: what was done before a set is seen after the wait that it ends, and no more.</item>
 /// </list>
-/// A 64-bit word is whole on 32-bit machines too, where its volatile operations are interlocked ones. The litmus tests
-/// of the explorer add plain accesses and fences, which the library does not make through this seam.
+/// A 64-bit word is whole on 32-bit machines too, where its volatile operations are interlocked ones.
 /// </remarks>
 internal unsafe interface ISyncPoints
 {
+    /// <summary>
+    /// Whether a plain access may be made without these points, known when the code is compiled: where values are
+    /// references a call of a generic method has to look its type up.
+    /// </summary>
+    bool IsMachine { get; }
+
+    /// <summary>
+    /// A plain read: what another thread has written may be seen late, in parts, and in another order.
+    /// </summary>
+    T Read<T>(ref T location);
+
+    /// <summary>A plain write.</summary>
+    void Write<T>(ref T location, in T value);
+
+    /// <summary>A full fence, of this thread.</summary>
+    void Fence();
+
     int VolatileRead(ref int location);
 
     void VolatileWrite(ref int location, int value);

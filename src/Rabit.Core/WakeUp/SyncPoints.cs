@@ -8,6 +8,17 @@ namespace Rabit.Core.WakeUp;
 /// <summary>The points as they are on the machine: each is one inlined call of the API of the same name.</summary>
 internal readonly unsafe struct SyncPoints : ISyncPoints
 {
+    public bool IsMachine => true;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public T Read<T>(ref T location) => location;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Write<T>(ref T location, in T value) => location = value;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Fence() => Interlocked.MemoryBarrier();
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int VolatileRead(ref int location) => Volatile.Read(ref location);
 

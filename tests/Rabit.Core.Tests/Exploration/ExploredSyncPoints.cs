@@ -1,17 +1,25 @@
 using System;
+using System.Runtime.CompilerServices;
 using System.Threading;
 using Rabit.Core.Time;
+using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Tests.Exploration;
 
 /// <summary>
 /// The points as the explorer sees them: each asks the recorder what the memory, the kernel or the clock answers.
 /// </summary>
-internal readonly unsafe struct ExploredSyncPoints : ILitmusPoints
+internal readonly unsafe struct ExploredSyncPoints : ISyncPoints
 {
     public int Read(ref int location) => Perform(SyncKind.Read, ref location);
 
     public void Write(ref int location, int value) => Perform(SyncKind.Write, ref location, value);
+
+    public bool IsMachine => false;
+
+    public T Read<T>(ref T location) => (T)(object)Read(ref AsNumber(ref location));
+
+    public void Write<T>(ref T location, in T value) => Write(ref AsNumber(ref location), (int)(object)value!);
 
     public int VolatileRead(ref int location) => Perform(SyncKind.VolatileRead, ref location);
 
@@ -87,6 +95,14 @@ internal readonly unsafe struct ExploredSyncPoints : ILitmusPoints
         => word >> 32 is >= 0 and <= short.MaxValue && (int)word is >= 0 and <= ushort.MaxValue
             ? ((int)(word >> 32) << 16) | (int)word
             : throw new InvalidOperationException($"The halves of the word {word:x} are not small.");
+
+    // The explorer's memory has numbers only.
+    private static ref int AsNumber<T>(ref T location)
+    {
+        if (typeof(T) != typeof(int))
+            throw new NotSupportedException($"A {typeof(T)} cannot be explored.");
+        return ref Unsafe.As<T, int>(ref location);
+    }
 
     private static long Whole(int number) => ((long)(number >> 16) << 32) | (uint)(number & ushort.MaxValue);
 

@@ -12,7 +12,7 @@ namespace Rabit.Core.Tests.Exploration;
 /// </summary>
 public sealed class MemoryLitmusTests
 {
-    private static readonly ILitmusPoints P = default(ExploredSyncPoints);
+    private static ExploredSyncPoints P => default;
 
     private readonly int[] _x = new int[1];
     private readonly int[] _y = new int[1];

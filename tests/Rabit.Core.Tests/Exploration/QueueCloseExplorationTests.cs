@@ -107,7 +107,7 @@ public sealed class QueueCloseExplorationTests(ITestOutputHelper output)
             if (!isWarm)
                 return;
             Positions.Reserve<SyncPoints>(2, Capacity, out _);
-            Positions.MoveHead(2);
+            Positions.MoveHead<SyncPoints>(2);
             Positions.Reserve<SyncPoints>(1, Capacity, out _);
             LeftBefore = 1;
         }

@@ -13,7 +13,7 @@ namespace Rabit.Core.Tests.Exploration;
 /// </summary>
 public sealed class StopExplorationTests(ITestOutputHelper output)
 {
-    private static readonly ILitmusPoints P = default(ExploredSyncPoints);
+    private static ExploredSyncPoints P => default;
 
     [Theory, Trait("Clause", "1.9")]
     [InlineData("Waits", 1, true, true)]

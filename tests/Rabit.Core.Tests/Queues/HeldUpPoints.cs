@@ -26,6 +26,14 @@ internal readonly unsafe struct HeldUpPoints : ISyncPoints
         _meanwhile = meanwhile;
     }
 
+    public bool IsMachine => true;
+
+    public T Read<T>(ref T location) => location;
+
+    public void Write<T>(ref T location, in T value) => location = value;
+
+    public void Fence() => default(SyncPoints).Fence();
+
     public int VolatileRead(ref int location)
     {
         Pass();

@@ -28,13 +28,13 @@ internal static class QueueKinds
     /// <param name="capacity">How many values fit in.</param>
     /// <param name="receiver">Whom a push wakes.</param>
     /// <param name="start">The first position, where the queue has positions.</param>
-    public static MessageQueue<T> Create<T>(string kind, int capacity, WakeUpEvent? receiver = null, int start = 0)
+    public static MessageQueue<T, SyncPoints> Create<T>(string kind, int capacity, WakeUpEvent? receiver = null, int start = 0)
     {
         var clock = new RunClock(TimeProvider.System);
         return kind switch
         {
-            Pair => new SingleProducerRing<T>("q", capacity, receiver, start),
-            Ring => new MultiProducerRing<T>("q", capacity, receiver, start),
+            Pair => new SingleProducerRing<T, SyncPoints>("q", capacity, receiver, start),
+            Ring => new MultiProducerRing<T, SyncPoints>("q", capacity, receiver, start),
             _ => new LockedQueue<T>(
                 "q", capacity, RuleOf(kind), receiver, maxWait: null, clock, new RabitLog(null, logRuns: false, clock)),
         };

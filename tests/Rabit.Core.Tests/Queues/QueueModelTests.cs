@@ -61,7 +61,7 @@ public sealed class QueueModelTests
         // the start.
         foreach (int start in new[] { int.MaxValue - 10, -10 })
         {
-            MessageQueue<int> queue = QueueKinds.Create<int>(kind, 4, receiver: null, start);
+            MessageQueue<int, SyncPoints> queue = QueueKinds.Create<int>(kind, 4, receiver: null, start);
             for (int i = 0; i < 40; i++)
             {
                 Assert.Equal(PushResult.Queued, queue.Push(i));
@@ -83,7 +83,7 @@ public sealed class QueueModelTests
     {
         var receiver = new WakeUpEvent();
         var sender = new WakeUpEvent();
-        MessageQueue<int> queue = QueueKinds.Create<int>(kind, 3, receiver);
+        MessageQueue<int, SyncPoints> queue = QueueKinds.Create<int>(kind, 3, receiver);
         queue.AddPopTarget(sender);
 
         for (int round = 0; round < 3; round++)
@@ -114,7 +114,7 @@ public sealed class QueueModelTests
     [InlineData(QueueKinds.Ring)]
     public void TryPop_ValueWithReferences_IsNotKeptAlive(string kind)
     {
-        MessageQueue<object> queue = QueueKinds.Create<object>(kind, 4);
+        MessageQueue<object, SyncPoints> queue = QueueKinds.Create<object>(kind, 4);
         WeakReference popped = PushAndPop(queue);
         for (int i = 0; i < 10 && popped.IsAlive; i++)
         {
@@ -128,7 +128,7 @@ public sealed class QueueModelTests
         GC.KeepAlive(queue);
     }
 
-    private static WeakReference PushAndPop(MessageQueue<object> queue)
+    private static WeakReference PushAndPop(MessageQueue<object, SyncPoints> queue)
     {
         WeakReference reference = null!;
         var thread = new Thread(() =>
@@ -144,7 +144,7 @@ public sealed class QueueModelTests
 
     private static int ScrubStack(int depth) => depth == 0 ? 0 : 1 + ScrubStack(depth - 1);
 
-    private static void Walk(MessageQueue<int> queue, QueueModel model, int seed)
+    private static void Walk(MessageQueue<int, SyncPoints> queue, QueueModel model, int seed)
     {
         var random = new SplitMix64(unchecked((ulong)seed));
         var pending = new List<Task<PushResult>>();

@@ -32,7 +32,7 @@ public sealed class QueueStressTests
     public void Queue_SendersAndReceiverFlatOut_LosesNothingAndCountsAll(string kind, int capacity)
     {
         // The ring positions wrap round on the way.
-        MessageQueue<Entry> queue = QueueKinds.Create<Entry>(kind, capacity, new WakeUpEvent(), start: -1000);
+        MessageQueue<Entry, SyncPoints> queue = QueueKinds.Create<Entry>(kind, capacity, new WakeUpEvent(), start: -1000);
         bool drops = queue.FullMode != QueueFullMode.Reject;
         var faults = new List<string>();
         long[] putIn = new long[kind == QueueKinds.Pair ? 1 : 3];
@@ -67,7 +67,7 @@ public sealed class QueueStressTests
             Assert.Equal(putIn, received);
     }
 
-    private static long Send(MessageQueue<Entry> queue, int sender)
+    private static long Send(MessageQueue<Entry, SyncPoints> queue, int sender)
     {
         long next = 0;
         var batch = new Entry[3];
@@ -95,7 +95,7 @@ public sealed class QueueStressTests
     }
 
     private static void Receive(
-        MessageQueue<Entry> queue, long[] received, bool drops, List<string> faults, ref int sending)
+        MessageQueue<Entry, SyncPoints> queue, long[] received, bool drops, List<string> faults, ref int sending)
     {
         long[] next = new long[received.Length];
         var batch = new Entry[5];
@@ -124,7 +124,7 @@ public sealed class QueueStressTests
         }
     }
 
-    private static void ReadCounters(MessageQueue<Entry> queue, List<string> faults, ref int sending)
+    private static void ReadCounters(MessageQueue<Entry, SyncPoints> queue, List<string> faults, ref int sending)
     {
         long popped = 0;
         while (Volatile.Read(ref sending) > 0)

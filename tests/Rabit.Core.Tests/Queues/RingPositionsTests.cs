@@ -24,7 +24,7 @@ public sealed class RingPositionsTests
             {
                 for (int i = 0; i < Rounds; i++)
                 {
-                    positions.MoveHead(Capacity);
+                    positions.MoveHead<SyncPoints>(Capacity);
                     positions.Reserve<SyncPoints>(Capacity, Capacity, out _);
                 }
             });
@@ -51,7 +51,7 @@ public sealed class RingPositionsTests
             {
                 for (int i = 0; i < 5; i++)
                 {
-                    positions.MoveHead(1);
+                    positions.MoveHead<SyncPoints>(1);
                     positions.Reserve<SyncPoints>(1, 8, out _);
                 }
             });
