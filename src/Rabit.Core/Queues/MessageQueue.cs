@@ -61,11 +61,11 @@ internal abstract class MessageQueue<T, TSync>(
 
     /// <summary>A plain read of a place for values.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    protected T Read(ref T place) => default(TSync).IsMachine ? place : default(TSync).Read(ref place);
+    protected static T Read(ref T place) => default(TSync).IsMachine ? place : default(TSync).Read(ref place);
 
     /// <summary>A plain write.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    protected void Write(ref T place, in T value)
+    protected static void Write(ref T place, in T value)
     {
         if (default(TSync).IsMachine)
             place = value;

@@ -1,5 +1,5 @@
 using System;
-using System.Threading;
+using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Supervision;
 
@@ -11,8 +11,10 @@ namespace Rabit.Core.Supervision;
 /// The word holds the stage, a mark "found hanging", and a number that is new with every stage, so that the watchdog,
 /// which looks and then marks, cannot mark a later stage than it looked at: the mark is a compare-and-swap. The manager
 /// leaves with an exchange, so either the mark comes first and the manager sees it, or the watchdog's mark fails.
+/// The tests explore every interleaving of this very code (docs/concepts/proof.md).
 /// </remarks>
-internal sealed class StageMark
+internal class StageMark<TSync>
+    where TSync : struct, ISyncPoints
 {
     private const int StageBits = 3;
     private const int Hanging = 4;
@@ -23,31 +25,36 @@ internal sealed class StageMark
     private int _number;       // the manager's thread only
 
     /// <summary>The stage; null for none. Any thread.</summary>
-    public ManagerStage? Stage => StageOf(Volatile.Read(ref _word));
+    public ManagerStage? Stage => StageOf(default(TSync).VolatileRead(ref _word));
 
     public void Enter(ManagerStage stage, TimeSpan now)
     {
-        Volatile.Write(ref _sinceTicks, now.Ticks);
-        _number = unchecked(_number + OneStage);
-        Volatile.Write(ref _word, _number | ((int)stage + 1));
+        default(TSync).VolatileWrite(ref _sinceTicks, now.Ticks);
+        int number = unchecked(default(TSync).Read(ref _number) + OneStage);
+        default(TSync).Write(ref _number, number);
+        default(TSync).VolatileWrite(ref _word, number | ((int)stage + 1));
     }
 
     /// <returns>Whether the watchdog found it hanging in this stage.</returns>
-    public bool Leave() => (Interlocked.Exchange(ref _word, 0) & Hanging) != 0;
+    public bool Leave() => (default(TSync).Exchange(ref _word, 0) & Hanging) != 0;
 
     /// <summary>Looks once. False when the manager is in no stage, was found already, or is just moving.</summary>
     public bool TryRead(out int seen, out ManagerStage stage, out TimeSpan since)
     {
-        seen = Volatile.Read(ref _word);
+        seen = default(TSync).VolatileRead(ref _word);
         stage = StageOf(seen) ?? default;
-        since = new TimeSpan(Volatile.Read(ref _sinceTicks));
-        return seen != 0 && (seen & Hanging) == 0 && Volatile.Read(ref _word) == seen;
+        since = new TimeSpan(default(TSync).VolatileRead(ref _sinceTicks));
+        return seen != 0 && (seen & Hanging) == 0 && default(TSync).VolatileRead(ref _word) == seen;
     }
 
     /// <summary>Marks what was seen as hanging.</summary>
     /// <returns>False when the manager has left that stage.</returns>
-    public bool TryMarkHanging(int seen) => Interlocked.CompareExchange(ref _word, seen | Hanging, seen) == seen;
+    public bool TryMarkHanging(int seen)
+        => default(TSync).CompareExchange(ref _word, seen | Hanging, seen) == seen;
 
     private static ManagerStage? StageOf(int word)
         => (word & StageBits) == 0 ? null : (ManagerStage)((word & StageBits) - 1);
 }
+
+/// <inheritdoc/>
+internal sealed class StageMark : StageMark<SyncPoints>;

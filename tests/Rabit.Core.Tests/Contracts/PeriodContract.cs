@@ -36,6 +36,8 @@ public abstract class PeriodContract(TimeKind kind) : ContractTests(kind)
 
         run.StartAndSettle();
         run.Until(() => manager.Units >= 3, "the timer wakes");
+        if (!Kind.HasThreads)
+            run.Reactor.RunFor(TimeSpan.FromMilliseconds(7));   // not at a deadline, as it is in real time anyway
         run.OnAndSettle(manager, () => { });
         run.Until(() => manager.Units >= 8, "the timer wakes on");
         run.Finish();
@@ -43,10 +45,11 @@ public abstract class PeriodContract(TimeKind kind) : ContractTests(kind)
         // Never early, whatever the machine does; how late it is, is for the machine and the benchmarks. The grid
         // begins after the start, and before the first unit of work can look at the clock, by however much the machine
         // stands still in between.
+        // In virtual time it is exactly zero.
         IEnumerable<TimeSpan> byTimer = begins.Where((_, i) => manager.Causes[i] == WakeUpCauses.Timer);
         Assert.All(
             byTimer.Select((at, i) => at - start - TimeSpan.FromTicks(Period.Ticks * (i + 1))),
-            late => Assert.True(late >= TimeSpan.Zero, $"{late}"));
+            late => Assert.True(Kind.HasThreads ? late >= TimeSpan.Zero : late == TimeSpan.Zero, $"{late}"));
     }
 
     [Fact, Trait("Clause", "1.3")]

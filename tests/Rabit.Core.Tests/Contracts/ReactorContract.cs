@@ -137,6 +137,30 @@ public abstract class ReactorContract(TimeKind kind) : ContractTests(kind)
         Assert.Equal(["startup a", "startup b", "startup c", "unit", "unit", "unit"], run.Board.Entries);
     }
 
+    /// <summary>
+    /// The first is still in its own when the others could begin theirs: that they do not is seen by their order only.
+    /// </summary>
+    [Fact, Trait("Clause", "1.1"), Trait("Clause", "4.3")]
+    public void Startup_ThatTakesTime_HoldsUpTheOtherStartupsAndAllUnits()
+    {
+        using TestRun run = NewRun();
+        foreach (string name in new[] { "a", "b" })
+        {
+            ScriptedManager manager = run.Add(name);
+            manager.OnStartup = () =>
+            {
+                run.Board.Write("begin " + name);
+                Thread.Sleep(100);
+                run.Board.Write("end " + name);
+            };
+            manager.OnUnit = () => run.Board.Write("unit");
+        }
+
+        run.StartAndSettle();
+
+        Assert.Equal(["begin a", "end a", "begin b", "end b", "unit", "unit"], run.Board.Entries);
+    }
+
     [Fact, Trait("Clause", "4.3")]
     public void Stop_SeveralManagers_ShutDownInReverseOrder()
     {

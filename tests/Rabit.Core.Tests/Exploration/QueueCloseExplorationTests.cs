@@ -60,7 +60,7 @@ public sealed class QueueCloseExplorationTests(ITestOutputHelper output)
 
     private void AssertNothingIsLost(string memory, Ring ring, params Func<Ring, int>[] senders)
     {
-        MemoryModel model = memory == nameof(MemoryModel.Weak) ? MemoryModel.Weak : MemoryModel.StoreBuffers;
+        MemoryModel model = MemoryModels.Named(memory);
         ExplorationResult result = Explore(
             model, ring, r => r.Positions.Close<ExploredSyncPoints>(), senders);
 

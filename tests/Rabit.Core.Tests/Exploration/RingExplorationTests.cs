@@ -9,8 +9,8 @@ using Xunit.Abstractions;
 namespace Rabit.Core.Tests.Exploration;
 
 /// <summary>
-/// Contract 3.1 and 3.2 in every interleaving of the two lock-free queues: nothing is lost, doubled or seen before it is
-/// there; first in first out for each sender; never more than the capacity, and rejected only when it is full; the
+/// Contract 3.1 and 3.2 in every interleaving of the two lock-free queues: nothing is lost, doubled or seen before it
+/// is there; first in first out for each sender; never more than the capacity, and rejected only when it is full; the
 /// counters are those of one instant. The positions wrap round meanwhile.
 /// </summary>
 public sealed class RingExplorationTests(ITestOutputHelper output)
@@ -117,7 +117,7 @@ public sealed class RingExplorationTests(ITestOutputHelper output)
         Assert.NotNull(wrong.Fault);
     }
 
-    /// <summary>As above: wakes of the receiver and of a sender that are skipped wrongly, a value that is lost.</summary>
+    /// <summary>As above, for what is lost: a wake of the receiver or of a sender that is skipped, a value.</summary>
     [Theory]
     [InlineData(SeededRingFault.UnfencedCheckOfThePush, "2", false)]
     [InlineData(SeededRingFault.WakesOnlyWhenEmpty, "2", false)]
@@ -188,5 +188,5 @@ public sealed class RingExplorationTests(ITestOutputHelper output)
     private static ExplorationResult Explore(string memory, ExploredModel model)
         => Explorer.Explore(
             model,
-            new ExplorerOptions((MemoryModel)Enum.Parse(typeof(MemoryModel), memory)) { WatchedSteps = 0 });
+            new ExplorerOptions(MemoryModels.Named(memory)) { WatchedSteps = 0 });
 }

@@ -9,8 +9,8 @@ namespace Rabit.Core.Tests.Exploration;
 internal sealed record RingScenario(IReadOnlyList<int> Pushes, int Pops, int Capacity)
 {
     /// <summary>
-    /// Whether what one has done is seen by all at once. Else a pop may miss a value whose push has returned, and a push
-    /// be rejected for a value that was taken out, until a wake or a fence orders the two.
+    /// Whether what one has done is seen by all at once. Else a pop may miss a value whose push has returned, and a
+    /// push be rejected for a value that was taken out, until a wake or a fence orders the two.
     /// </summary>
     public bool IsSeenAtOnce { get; init; }
 

@@ -20,7 +20,9 @@ internal sealed class RingWakeModel : ExploredModel
 
     /// <param name="scenario">Who there is.</param>
     /// <param name="engine">Of the sleepers.</param>
-    /// <param name="create">Makes the queue: of the receiver's wake-up, and of the first sender's where it waits.</param>
+    /// <param name="create">
+    /// Makes the queue: of the receiver's wake-up, and of the first sender's where it waits.
+    /// </param>
     public RingWakeModel(
         RingWakeScenario scenario, Func<RunClock, IWaitSignal> engine,
         Func<WakeUpEvent<ExploredSyncPoints>, WakeUpEvent<ExploredSyncPoints>?,

@@ -32,6 +32,6 @@ public enum SeededRingFault
     /// <summary>The receiver looks for a pending wake of the sender before its pop is there for all.</summary>
     UnfencedCheckOfThePop,
 
-    /// <summary>A sender wakes nobody where the queue was not empty.</summary>
+    /// <summary>A sender wakes the receiver only where the queue was empty.</summary>
     WakesOnlyWhenEmpty,
 }

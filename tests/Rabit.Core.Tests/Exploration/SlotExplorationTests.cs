@@ -118,7 +118,7 @@ public sealed class SlotExplorationTests(ITestOutputHelper output)
         var scenario = new SlotScenario([.. posts.Split(' ').Select(int.Parse)], fetchers, fetches, tries);
 
         ExplorationResult result = Explore(
-            memory == nameof(MemoryModel.Weak) ? MemoryModel.Weak : MemoryModel.StoreBuffers, scenario,
+            MemoryModels.Named(memory), scenario,
             new ProductionSlots(scenario));
 
         output.WriteLine(result.ToString());

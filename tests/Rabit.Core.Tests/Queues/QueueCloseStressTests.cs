@@ -30,7 +30,8 @@ public sealed class QueueCloseStressTests
     {
         for (int round = 0; round < 40; round++)
         {
-            MessageQueue<int, SyncPoints> queue = QueueKinds.Create<int>(kind, capacity: 1 << 16, new WakeUpEvent(), start: -100);
+            MessageQueue<int, SyncPoints> queue = QueueKinds.Create<int>(
+                kind, capacity: 1 << 16, new WakeUpEvent(), start: -100);
             int senders = kind == QueueKinds.Pair ? 1 : 2;
             long[] accepted = new long[senders];
             using var begun = new CountdownEvent(senders);

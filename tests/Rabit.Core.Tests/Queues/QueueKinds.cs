@@ -28,7 +28,8 @@ internal static class QueueKinds
     /// <param name="capacity">How many values fit in.</param>
     /// <param name="receiver">Whom a push wakes.</param>
     /// <param name="start">The first position, where the queue has positions.</param>
-    public static MessageQueue<T, SyncPoints> Create<T>(string kind, int capacity, WakeUpEvent? receiver = null, int start = 0)
+    public static MessageQueue<T, SyncPoints> Create<T>(
+        string kind, int capacity, WakeUpEvent? receiver = null, int start = 0)
     {
         var clock = new RunClock(TimeProvider.System);
         return kind switch

@@ -32,7 +32,8 @@ public sealed class QueueStressTests
     public void Queue_SendersAndReceiverFlatOut_LosesNothingAndCountsAll(string kind, int capacity)
     {
         // The ring positions wrap round on the way.
-        MessageQueue<Entry, SyncPoints> queue = QueueKinds.Create<Entry>(kind, capacity, new WakeUpEvent(), start: -1000);
+        MessageQueue<Entry, SyncPoints> queue = QueueKinds.Create<Entry>(
+            kind, capacity, new WakeUpEvent(), start: -1000);
         bool drops = queue.FullMode != QueueFullMode.Reject;
         var faults = new List<string>();
         long[] putIn = new long[kind == QueueKinds.Pair ? 1 : 3];
