@@ -8,8 +8,9 @@ namespace Rabit.Core.Queues;
 
 /// <summary>
 /// Head, tail and counters of a <see cref="MultiProducerRing{T, TSync}"/> or
-/// <see cref="SingleProducerRing{T, TSync}"/>, which say how they are used. What senders write, what the receiver writes and the neighbours lie on different cache lines (128
-/// bytes: two lines that are fetched together), against false sharing.
+/// <see cref="SingleProducerRing{T, TSync}"/>, which say how they are used. What senders write, what the receiver
+/// writes and the neighbours lie on different cache lines (128 bytes: two lines that are fetched together), against
+/// false sharing.
 /// </summary>
 [StructLayout(LayoutKind.Explicit, Size = 5 * Apart)]
 internal struct RingPositions

@@ -9,7 +9,7 @@ using Xunit;
 
 namespace Rabit.Uav.Tests.ImageProcessing;
 
-/// <summary>A thermal camera in the manager: its hot spots are reported, and a camera that is broken is noticed.</summary>
+/// <summary>A thermal camera in the manager: its hot spots are reported, and one that is broken is noticed.</summary>
 public sealed class ThermalImagingTests
 {
     private static readonly ImmutableArray<TargetClass> Persons =
@@ -46,7 +46,8 @@ public sealed class ThermalImagingTests
         Assert.True(pixels[warmest] > 200 && pixels[0] < 100, $"{pixels[warmest]} in the middle, {pixels[0]} beside it");
         Assert.NotNull(rig.Manager.FindPictureOverview(0));
         ImagingStatus status = rig.Status;
-        Assert.Equal((1, 2.0), (status.LastPicture!.Value.Detections, status.LastPicture.Value.Exposure.TotalMilliseconds));
+        Assert.Equal(1, status.LastPicture!.Value.Detections);
+        Assert.Equal(2.0, status.LastPicture.Value.Exposure.TotalMilliseconds);
         rig.AssertAllGivenBack();
     }
 
