@@ -164,6 +164,8 @@ public sealed class SimulatedGroup
     {
         SimulationOptions own = options.World.Copy();
         own.SystemId = (byte)(vehicle + 1);
+        if (options.Faults.Any(f => f.Vehicle == vehicle && f.Kind == SimulatedGroupFaultKind.SameSystemId))
+            own.SystemId = (byte)(vehicle == 0 ? 2 : vehicle);
         own.Seed = vehicle == 0 ? options.World.Seed : SeedOf(options.World.Seed, vehicle);
         own.Home = world.PositionOf(new NedPosition(0, eastMetres, 0));
         if (options.VehicleFaults.TryGetValue(vehicle, out IReadOnlyList<ScriptedFault>? more))

@@ -11,4 +11,10 @@ public enum SimulatedGroupFaultKind
 
     /// <summary>It is switched on only then.</summary>
     SwitchedOn,
+
+    /// <summary>
+    /// It has the system id of the vehicle before it, the first one that of the second: from the start, whatever its
+    /// time is.
+    /// </summary>
+    SameSystemId,
 }

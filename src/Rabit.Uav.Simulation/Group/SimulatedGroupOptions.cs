@@ -10,7 +10,10 @@ public sealed class SimulatedGroupOptions
     /// <summary>The most vehicles.</summary>
     public const int MaxVehicles = 8;
 
-    /// <summary>How many vehicles; their system ids are 1, 2 and so on.</summary>
+    /// <summary>
+    /// How many vehicles; their system ids are 1, 2 and so on, but for
+    /// <see cref="SimulatedGroupFaultKind.SameSystemId"/>.
+    /// </summary>
     /// <value>1 to <see cref="MaxVehicles"/>. The default is 3.</value>
     public int Vehicles { get; set; } = 3;
 
@@ -56,6 +59,8 @@ public sealed class SimulatedGroupOptions
                 yield return $"{nameof(Faults)} has one of vehicle {fault.Vehicle}; they are numbered from 0";
             if (fault.At < TimeSpan.Zero)
                 yield return $"{nameof(Faults)} has one at {fault.At}; it must not be negative";
+            if (fault.Kind == SimulatedGroupFaultKind.SameSystemId && Vehicles == 1)
+                yield return $"{nameof(Faults)} has {fault.Kind}; that takes another vehicle";
         }
 
         if (Faults is null || VehicleFaults is null)

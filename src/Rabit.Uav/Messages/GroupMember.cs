@@ -15,6 +15,11 @@ public readonly record struct GroupMember
     /// <summary>Whether it is received; otherwise what is here is what it reported last.</summary>
     public bool IsPresent { get; init; }
 
+    /// <summary>
+    /// Whether a second vehicle reports with its system id: that one is left out, and what is here is of the first.
+    /// </summary>
+    public bool IsTwice { get; init; }
+
     /// <summary>When its last report was sent, by the clock of the run here.</summary>
     public TimeSpan Time { get; init; }
 

@@ -41,8 +41,8 @@ public struct GroupStatus
     public int Lanes { get; set; }
 
     /// <summary>
-    /// Reports, divisions and coverages of others that were refused: of our own system id, of other lanes, or of an
-    /// author that is not the one to divide.
+    /// Reports, divisions and coverages of others that were refused: of our own system id, of a second vehicle with one
+    /// system id, of other lanes, or of an author that is not the one to divide.
     /// </summary>
     public long Refused { get; set; }
 }

@@ -35,6 +35,8 @@ internal sealed class GroupFlight : IDisposable
     public string Log => string.Join(
         Environment.NewLine, _logs.Select((l, i) => FormattableString.Invariant($"--- vehicle {i + 1}\n") + l));
 
+    public string LogOf(int vehicle) => _logs[vehicle].ToString();
+
     public MissionStatus Mission(int vehicle)
         => Group.Vehicles[vehicle].HasStarted ? Latest(_missions[vehicle]) : default;
 

@@ -46,6 +46,45 @@ public sealed class GroupFlightTests
     }
 
     [Fact]
+    public void Flight_OneSystemIdTwice_BothStayOnTheGroundAndAreNamedByAll()
+    {
+        using GroupFlight flight = Open(
+            3, new SimulatedGroupFault(2, SimulatedGroupFaultKind.SameSystemId, TimeSpan.Zero));
+        flight.RunUntil(() => flight.Mission(0).Phase == MissionPhase.Searching, 60);
+
+        Assert.Equal(MissionPhase.Searching, flight.Mission(0).Phase);
+        Assert.True(flight.LogOf(0).Contains("two vehicles have the system id 2, "), flight.Log);
+        Assert.True(Assert.Single(flight.GroupStatus(0).Members).IsTwice);
+        Assert.True(flight.GroupStatus(0).Refused > 0);
+        foreach (int twin in new[] { 1, 2 })
+        {
+            Assert.Equal(MissionPhase.WaitingForVehicle, flight.Mission(twin).Phase);
+            Assert.Contains("another vehicle has our system id 2", flight.Mission(twin).Text);
+            Assert.Contains("have our own address", flight.LogOf(twin));
+            Assert.Contains("vehicle 1 is in the group", flight.LogOf(twin));
+        }
+
+        Assert.Equal(flight.GroupStatus(0).Lanes, flight.GroupStatus(0).OwnShare.Count);
+    }
+
+    [Fact]
+    [Trait("Category", "Long")]
+    public void Flight_SecondWithOneSystemIdComesLate_FirstSearchesAllAndTheSecondStaysOnTheGround()
+    {
+        using GroupFlight flight = Open(
+            2,
+            new SimulatedGroupFault(1, SimulatedGroupFaultKind.SameSystemId, TimeSpan.Zero),
+            new SimulatedGroupFault(1, SimulatedGroupFaultKind.SwitchedOn, TimeSpan.FromSeconds(40)));
+        Assert.True(flight.RunUntil(() => flight.Mission(0).Phase == MissionPhase.Done, 1800), flight.Log);
+
+        Assert.True(flight.Mission(0).Result.Outcome == MissionOutcome.Accomplished, flight.Log);
+        Assert.Contains("have our own address", flight.LogOf(0));
+        Assert.Equal(MissionPhase.WaitingForVehicle, flight.Mission(1).Phase);
+        Assert.Contains("another vehicle has our system id 1", flight.Mission(1).Text);
+        Assert.Empty(flight.Group.TooNear);
+    }
+
+    [Fact]
     [Trait("Category", "Long")]
     public void Flight_OneIsLost_TheOtherSearchesTheArea()
     {

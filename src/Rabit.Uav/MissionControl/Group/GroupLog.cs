@@ -8,6 +8,7 @@ internal sealed class GroupLog(Action<string> log)
 {
     private readonly SortedSet<byte> _present = [];
     private readonly HashSet<byte> _now = [];
+    private readonly HashSet<byte> _twice = [];
 
     public void Update(IEnumerable<byte> present, IEnumerable<byte> all)
     {
@@ -19,6 +20,21 @@ internal sealed class GroupLog(Action<string> log)
                 log($"vehicle {MissionNumbers.Of(id)} is in the group");
             else if (!_now.Contains(id) && _present.Remove(id))
                 log($"vehicle {MissionNumbers.Of(id)} is not received any more");
+        }
+    }
+
+    /// <param name="id">The system id of another vehicle.</param>
+    /// <param name="metres">How far from it another one with that id lands; null for none.</param>
+    public void UpdateTwice(byte id, double? metres)
+    {
+        if (metres is { } apart && _twice.Add(id))
+        {
+            log($"two vehicles have the system id {MissionNumbers.Of(id)}, {MissionNumbers.Of(apart)} m apart: the one "
+                + "that was here first is the one of the group, the other one is left out until it has another id");
+        }
+        else if (metres is null && _twice.Remove(id))
+        {
+            log($"only one vehicle has the system id {MissionNumbers.Of(id)} now");
         }
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
@@ -11,7 +12,16 @@ internal sealed class GroupMembers(TimeSpan silentAfter)
     /// <summary>More vehicles than this are not known, and their reports are counted.</summary>
     public const int MaxMembers = LaneDivision.MaxShares - 1;
 
+    // A vehicle that stands or flies has one landing place; that of another one is 10 m away or more.
+    private const double SameLandingMetres = 5;
+
+    // Of two with one system id now one, now the other is not received for a while.
+    private static readonly TimeSpan TwiceMemory = TimeSpan.FromSeconds(30);
+
     private readonly SortedDictionary<byte, (GroupReport Report, TimeSpan Time)> _reports = [];
+
+    // By system id: reports from elsewhere, and whether the first one was received after such a one.
+    private readonly SortedDictionary<byte, (double Metres, TimeSpan Time, bool IsSure)> _twice = [];
 
     /// <summary>Reports that were refused.</summary>
     public long Refused { get; private set; }
@@ -33,9 +43,21 @@ internal sealed class GroupMembers(TimeSpan silentAfter)
         bool isOurs = source != 0 && source != ownSystemId && envelope.Content.LanesKey == lanesKey;
         if (!isOurs || (!isKnown && _reports.Count >= MaxMembers))
             Refused++;
+        else if (isKnown && IsOfAnother(source, envelope.Content, last, now))
+            Refused++;
         else if (!isKnown || time >= last.Time)
             _reports[source] = (envelope.Content, time);
     }
+
+    /// <summary>
+    /// How far from the landing place of a vehicle another one lands that reports with the same system id; null where
+    /// there is no such one.
+    /// </summary>
+    public double? FindTwice(byte systemId, TimeSpan now)
+        => _twice.TryGetValue(systemId, out (double Metres, TimeSpan Time, bool IsSure) other) && other.IsSure
+            && now - other.Time <= TwiceMemory
+            ? other.Metres
+            : null;
 
     /// <summary>Whether a vehicle is received.</summary>
     public bool IsPresent(byte systemId, TimeSpan now)
@@ -51,5 +73,28 @@ internal sealed class GroupMembers(TimeSpan silentAfter)
         => _reports.Where(r => now - r.Value.Time <= silentAfter).Select(r => (r.Key, r.Value.Report));
 
     /// <summary>Forgets all: the lanes are others now.</summary>
-    public void Clear() => _reports.Clear();
+    public void Clear()
+    {
+        _reports.Clear();
+        _twice.Clear();
+    }
+
+    // Of two vehicles with one system id the one that was there first counts while it is received: which of them the
+    // lanes and targets of that id are would otherwise change with each report. One that only moves, as a position does
+    // that becomes better, is taken for another one no longer than until the old place is silent.
+    private bool IsOfAnother(
+        byte source, in GroupReport report, in (GroupReport Report, TimeSpan Time) last, TimeSpan now)
+    {
+        NedPosition off = LocalNedFrame.IgnoringGeoid(last.Report.LandingPlace).ToNed(report.LandingPlace);
+        double metres = new PlanePoint(off.North, off.East).Length;
+        bool isFromElsewhere = metres > SameLandingMetres && now - last.Time <= silentAfter;
+        _twice.TryGetValue(source, out (double Metres, TimeSpan Time, bool IsSure) other);
+        if (isFromElsewhere)
+            _twice[source] = (metres, now, other.IsSure && now - other.Time <= TwiceMemory);
+        else if (metres > SameLandingMetres)
+            _twice.Remove(source);   // the old one is silent
+        else if (other.Metres > 0)
+            _twice[source] = other with { IsSure = now - last.Time <= silentAfter };
+        return isFromElsewhere;
+    }
 }

@@ -50,6 +50,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
             SystemId = m.SystemId,
             State = m.Report.State,
             IsPresent = _members.IsPresent(m.SystemId, now),
+            IsTwice = _members.FindTwice(m.SystemId, now) is not null,
             Time = m.Time,
             Position = m.Report.Position,
             Lanes = _division.ShareOf(m.SystemId).Count,
@@ -104,6 +105,8 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         }
 
         _log.Update(present.Select(m => m.SystemId), _members.All.Select(m => m.SystemId));
+        foreach ((byte id, _, _) in _members.All)
+            _log.UpdateTwice(id, _members.FindTwice(id, flight.Now));
         Sender?.Report(_own, flight.Now);
     }
 
@@ -165,6 +168,12 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
     {
         if (SystemId == 0)
             return "our system id is not known yet";
+        if ((flight.Health.Reasons & HealthReasons.AddressConflict) != 0)
+        {
+            return $"another vehicle has our system id {MissionNumbers.Of(SystemId)}, or two links lead to ours: each "
+                + "vehicle needs one of its own";
+        }
+
         foreach ((byte id, GroupReport report) in _members.Present(flight.Now))
         {
             NedPosition off = LocalNedFrame.IgnoringGeoid(flight.Vehicle.Position).ToNed(report.LandingPlace);
