@@ -47,6 +47,7 @@ public sealed class ImageProcessingOptions
     /// <summary>What finds targets in pictures. It belongs to one manager; its thread is that of the manager.</summary>
     /// <value>
     /// The default, null, is a <see cref="ColourTargetDetector"/> of <see cref="TargetClasses"/>, a
+    /// <see cref="PanelTargetDetector"/> of those of two colours, of black or white, a
     /// <see cref="MarkerTargetDetector"/> of those that are markers, and a <see cref="TemplateTargetDetector"/> of
     /// those that have a template. Of a thermal camera it is a <see cref="HotSpotTargetDetector"/>.
     /// </value>
@@ -168,6 +169,9 @@ public sealed class ImageProcessingOptions
                 new ColourTargetDetector(coloured, ColourDetector, Errors.PixelNoise), coloured));
         }
 
+        ImmutableArray<TargetClass> panels = [.. TargetClasses.Where(c => c.IsPanel)];
+        if (!panels.IsEmpty)
+            parts.Add(new PartDetector(new PanelTargetDetector(panels), panels));
         if (!markers.IsEmpty)
             parts.Add(new PartDetector(new MarkerTargetDetector(markers), markers));
         if (!templates.IsEmpty)

@@ -13,6 +13,10 @@ public sealed class TargetClass
     // A marker is read from about 14 pixels on, and a panel found from 4.
     private const double PanelsPerMarker = 3.5;
 
+    // One of two colours is found from about 6 pixels on, of black or white from 8.
+    private const double PanelsPerTwoColours = 1.4;
+    private const double PanelsPerNeutral = 2;
+
     // A template is found in pixels half as fine again, which must be finer than a quarter of this.
     private const double PixelsPerTemplatePixel = 6;
 
@@ -67,6 +71,13 @@ public sealed class TargetClass
     public ColourRange? Colour { get; init; }
 
     /// <summary>
+    /// The other colour of a panel of two, beside each other in any pattern: for
+    /// <see cref="ImageProcessing.PanelTargetDetector"/>, which also finds panels of black or white alone. Null, the
+    /// default, for what has one colour.
+    /// </summary>
+    public ColourRange? SecondColour { get; init; }
+
+    /// <summary>
     /// The printed markers that it consists of; the size is then the side of the black square. Null, the default, for
     /// what is no marker.
     /// </summary>
@@ -85,14 +96,22 @@ public sealed class TargetClass
     /// </summary>
     public HotSpotTarget? HotSpot { get; init; }
 
-    /// <summary>Whether it is found by its colour: what has nothing else to be found by.</summary>
-    internal bool IsColoured => Marker is null && Template is null && HotSpot is null;
+    /// <summary>
+    /// Whether <see cref="ImageProcessing.PanelTargetDetector"/> finds it: a panel of two colours, of black or of
+    /// white.
+    /// </summary>
+    public bool IsPanel => Colour is not null && Marker is null && Template is null && HotSpot is null
+        && (SecondColour is not null || PanelColours.IsBlack(Colour) || PanelColours.IsWhite(Colour));
+
+    /// <summary>Whether it is found by its one colour: what has nothing else to be found by.</summary>
+    internal bool IsColoured => Marker is null && Template is null && HotSpot is null && !IsPanel;
 
     // What must be resolved of it as four pixels are of a panel: of a marker, that its cells can be read, and of a
     // template, its edges.
     internal double ResolvedSideMetres
         => Marker is not null ? MinSideMetres / PanelsPerMarker
             : Template is not null ? Template.MetresPerPixel * PixelsPerTemplatePixel
+            : IsPanel ? MinSideMetres / (SecondColour is null ? PanelsPerNeutral : PanelsPerTwoColours)
             : MinSideMetres;
 
     internal static IEnumerable<string> FindFaults(ImmutableArray<TargetClass> classes)
@@ -136,8 +155,15 @@ public sealed class TargetClass
                 yield return fault;
             foreach (string fault in targetClass.FindTemplateFaults())
                 yield return fault;
+            if (targetClass.FindColourFault() is { } colours)
+                yield return $"the colours of target class {targetClass.Name}: {colours}";
         }
     }
+
+    private string? FindColourFault()
+        => SecondColour is null ? null
+            : Colour is null ? $"it has a {nameof(SecondColour)}, and no {nameof(Colour)}"
+            : PanelColours.FindFault(Colour, SecondColour);
 
     private IEnumerable<string> FindTemplateFaults()
     {

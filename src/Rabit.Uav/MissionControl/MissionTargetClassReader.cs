@@ -37,7 +37,8 @@ internal static class MissionTargetClassReader
     {
         var read = new TargetClass(name)
         {
-            Colour = ReadColour(one),
+            Colour = ReadColour(one, "colour"),
+            SecondColour = ReadColour(one, "secondColour"),
             Marker = ReadMarker(one),
             Template = ReadTemplate(one, folder),
             HotSpot = ReadHotSpot(one),
@@ -50,16 +51,16 @@ internal static class MissionTargetClassReader
         return read;
     }
 
-    private static ColourRange? ReadColour(JsonFields one)
+    private static ColourRange? ReadColour(JsonFields one, string key)
     {
-        if (one.Any("colour") is not { } given)
+        if (one.Any(key) is not { } given)
             return null;
         string text = given.ValueKind == JsonValueKind.String ? given.GetString()! : string.Empty;
         string digits = text.TrimStart('#');
         if (text.Length == 7 && digits.Length == 6
             && int.TryParse(digits, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out int rgb))
             return new ColourRange((byte)(rgb >> 16), (byte)(rgb >> 8), (byte)rgb);
-        one.Blame("colour", given, "must be sRGB in hexadecimal digits, \"#rrggbb\"");
+        one.Blame(key, given, "must be sRGB in hexadecimal digits, \"#rrggbb\"");
         return null;
     }
 

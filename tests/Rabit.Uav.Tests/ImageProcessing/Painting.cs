@@ -76,6 +76,24 @@ internal sealed class Painting
         }
     }
 
+    /// <summary>Paints a square of cells in two colours, beside each other: 1 x 2 cells or 2 x 2.</summary>
+    public void TwoColours(
+        (double Red, double Green, double Blue) first, (double Red, double Green, double Blue) second,
+        double x, double y, double side, double angle, bool isChequered)
+    {
+        (double cos, double sin) = (Math.Cos(angle), Math.Sin(angle));
+        int across = isChequered ? 2 : 1;
+        for (int cell = 0; cell < 2 * across; cell++)
+        {
+            (int column, int row) = (cell % across, cell / across);
+            double u = isChequered ? (column - 0.5) * side / 2 : 0;
+            double v = (row - 0.5) * side / 2;
+            Rectangle(
+                (column + row) % 2 == 0 ? first : second, x + (u * cos) - (v * sin), y + (u * sin) + (v * cos),
+                side / across, side / 2, angle);
+        }
+    }
+
     /// <summary>Adds the noise of the sensor, last of all.</summary>
     public byte[] Finish()
     {

@@ -1,3 +1,4 @@
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing;
@@ -28,6 +29,12 @@ public struct TargetDetection
 
     /// <summary>The id of the printed marker that it is; null for what is none.</summary>
     public int? MarkerId { get; set; }
+
+    /// <summary>
+    /// Direction of its longer side on the ground, clockwise from north, 0 to 180 degrees; of a square that of any
+    /// side, 0 to 90. Null, the default, where it was not measured.
+    /// </summary>
+    public Angle? Bearing { get; set; }
 
     /// <summary>How confident the detector is, 0 to 1.</summary>
     public double Score { get; set; }
