@@ -173,6 +173,16 @@ internal static class ManagerOptions
         {
             Lifetime = TimeSpan.FromSeconds(1),
         },
+        new VehicleMessageRoute<FollowTask>(
+            new FollowTaskCodec(), MessageNames.OutgoingFollowTasks, MessageNames.FollowTasks)
+        {
+            Lifetime = TimeSpan.FromSeconds(1),
+        },
+        new VehicleMessageRoute<FollowBid>(
+            new FollowBidCodec(), MessageNames.OutgoingFollowBids, MessageNames.FollowBids)
+        {
+            Lifetime = TimeSpan.FromSeconds(1),
+        },
     ];
 
     /// <summary>The settings of the links by their numbers: live ones first, then logs; a URL says more.</summary>

@@ -1,3 +1,4 @@
+using System;
 using System.Globalization;
 using System.IO;
 using System.Linq;
@@ -25,6 +26,8 @@ internal static class GroupSummaryText
             score.Targets.Count, score.FalseTracks.Count, score.RmseMetres));
         foreach (ValidationTask task in summary.Validations)
             output.WriteLine(Of(task));
+        foreach (FollowTask task in summary.Followings)
+            output.WriteLine(Of(task));
         foreach (GroupVehicleSummary vehicle in summary.Vehicles)
             output.WriteLine(Of(vehicle));
     }
@@ -43,6 +46,18 @@ internal static class GroupSummaryText
         return found + (task.State == ValidationState.Closed
             ? $"by vehicle {FlightText.Number(task.Validator)} {task.Result.ToString().ToLowerInvariant()}"
             : "NOT VALIDATED");
+    }
+
+    private static string Of(in FollowTask task)
+    {
+        string seen = FlightText.Number(task.InView.TotalSeconds, "0") + " s in view";
+        return $"{task.Class} that moves: found by vehicle {FlightText.Number(task.Finder)}, " + (task.Result switch
+        {
+            FollowResult.Followed => $"followed by vehicle {FlightText.Number(task.Follower)}, {seen}",
+            FollowResult.Lost when task.InView > TimeSpan.Zero => $"lost, {seen}",
+            FollowResult.Lost => "NOT FOLLOWED",
+            _ => $"{seen} until the end",
+        });
     }
 
     private static string Of(GroupVehicleSummary vehicle)

@@ -34,6 +34,11 @@ public sealed class GroupFlightSummary
         Validations = Vehicles
             .SelectMany(v => v.Flight.Record.Group.Validations.Where(t => t.Finder == v.SystemId))
             .Where(t => t.State != ValidationState.Closed || t.Validator != 0).ToArray();
+        Followings = Vehicles.SelectMany(v => v.Flight.Record.Group.Followings)
+            .GroupBy(t => (t.Finder, t.Session, t.Number))
+            .Select(g => g.OrderByDescending(t => t.Result == FollowResult.Followed)
+                .ThenByDescending(t => t.Decision).ThenByDescending(t => t.InView).First())
+            .Where(t => t.Result != FollowResult.SameTarget).ToArray();
     }
 
     /// <summary>The vehicles, in the order of their system ids.</summary>
@@ -44,6 +49,12 @@ public sealed class GroupFlightSummary
     /// left to the task of another finder.
     /// </summary>
     public IReadOnlyList<ValidationTask> Validations { get; }
+
+    /// <summary>
+    /// The targets that move and were to be followed, each as the vehicle knows it that knows the most; without those
+    /// that turned out to be the target of another task.
+    /// </summary>
+    public IReadOnlyList<FollowTask> Followings { get; }
 
     /// <summary>How many of <see cref="Validations"/> a second vehicle confirmed.</summary>
     public int Confirmed => Validations.Count(

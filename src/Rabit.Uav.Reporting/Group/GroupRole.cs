@@ -23,4 +23,13 @@ public readonly record struct GroupRole
 
     /// <summary>The class of that target.</summary>
     public TargetClassName ValidatedClass { get; init; }
+
+    /// <summary>MAVLink system id of the finder of the target that it was to follow; 0 for none.</summary>
+    public byte FollowedFinder { get; init; }
+
+    /// <summary>The number of that target, of its finder.</summary>
+    public ushort FollowedNumber { get; init; }
+
+    /// <summary>The class of that target.</summary>
+    public TargetClassName FollowedClass { get; init; }
 }

@@ -21,6 +21,8 @@ internal sealed class GroupRoles
             return;
         ValidationTask task = group.Validations
             .FirstOrDefault(t => t.Validator == systemId && t.State == ValidationState.Awarded);
+        FollowTask follow = group.Followings
+            .FirstOrDefault(t => t.Follower == systemId && t.State != FollowState.Closed);
         var role = new GroupRole
         {
             Time = now,
@@ -29,6 +31,9 @@ internal sealed class GroupRoles
             ValidatedFinder = task.Finder,
             ValidatedNumber = task.Number,
             ValidatedClass = task.Class,
+            FollowedFinder = follow.Finder,
+            FollowedNumber = follow.Number,
+            FollowedClass = follow.Class,
         };
         if (_changes.Count == 0 || _changes[_changes.Count - 1] with { Time = now } != role)
             _changes.Add(role);

@@ -10,6 +10,8 @@ internal static class GroupRoleText
     {
         if (role.ValidatedFinder != 0)
             return $"validates {TargetClassNames.Name(role.ValidatedClass)} of {N(role.ValidatedFinder)}";
+        if (role.FollowedFinder != 0)
+            return $"follows {TargetClassNames.Name(role.FollowedClass)} of {N(role.FollowedFinder)}";
         LaneShare share = role.Share;
         if (share.SystemId == 0)
             return string.Empty;

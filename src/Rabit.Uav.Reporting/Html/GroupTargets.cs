@@ -74,13 +74,22 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
             .Element("b", state, "class", "state").Close();
     }
 
+    // Targets that move are not validated.
+    private void WriteFollowing(TargetTrack track)
+    {
+        FollowTask[] tasks = data.Followings
+            .Where(t => t.Class == track.Class && t.MarkerId == track.MarkerId).ToArray();
+        Fact("followed", tasks.Length == 0 ? "no" : string.Join("; ", tasks.Select(FollowText.Of)));
+    }
+
     private void WriteValidation(ValidationTask? found, TargetTrack track)
     {
         if (found is not { } task)
         {
-            Fact("validation", track.Motion != TargetMotion.Standing
-                ? "none: targets that move are not validated"
-                : "none was asked for");
+            if (track.Motion == TargetMotion.Standing)
+                Fact("validation", "none was asked for");
+            else
+                WriteFollowing(track);
             return;
         }
 

@@ -11,4 +11,7 @@ public enum GroupMemberState
 
     /// <summary>It returns, lands, has landed, or another one than Mission Control flies it.</summary>
     Leaving,
+
+    /// <summary>It follows a target that moves: its lanes are for others.</summary>
+    Following,
 }

@@ -10,6 +10,7 @@ public struct GroupStatus
 {
     private ImmutableArray<GroupMember> _members;
     private ImmutableArray<ValidationTask> _validations;
+    private ImmutableArray<FollowTask> _followings;
 
     /// <summary>The others, in the order of their system ids; also those that are received no more.</summary>
     public ImmutableArray<GroupMember> Members
@@ -26,6 +27,15 @@ public struct GroupStatus
     {
         readonly get => _validations.IsDefault ? [] : _validations;
         set => _validations = value;
+    }
+
+    /// <summary>
+    /// The targets that move and that one vehicle follows, by their finders; also those that are not followed any more.
+    /// </summary>
+    public ImmutableArray<FollowTask> Followings
+    {
+        readonly get => _followings.IsDefault ? [] : _followings;
+        set => _followings = value;
     }
 
     /// <summary>MAVLink system id of the vehicle that divided the lanes; 0 for none yet.</summary>

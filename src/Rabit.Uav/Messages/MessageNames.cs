@@ -154,6 +154,28 @@ public static class MessageNames
     public const string OutgoingValidationBids = "outgoing validation bids";
 
     /// <summary>
+    /// Queue of <see cref="Envelope{T}"/> of <see cref="FollowTask"/>: of other vehicles, from Communications to
+    /// Mission Control.
+    /// </summary>
+    public const string FollowTasks = "follow tasks";
+
+    /// <summary>
+    /// Queue of <see cref="Envelope{T}"/> of <see cref="FollowTask"/>: from Mission Control to Communications.
+    /// </summary>
+    public const string OutgoingFollowTasks = "outgoing follow tasks";
+
+    /// <summary>
+    /// Queue of <see cref="Envelope{T}"/> of <see cref="FollowBid"/>: of other vehicles, from Communications to
+    /// Mission Control.
+    /// </summary>
+    public const string FollowBids = "follow bids";
+
+    /// <summary>
+    /// Queue of <see cref="Envelope{T}"/> of <see cref="FollowBid"/>: from Mission Control to Communications.
+    /// </summary>
+    public const string OutgoingFollowBids = "outgoing follow bids";
+
+    /// <summary>
     /// Queue of <see cref="CameraObservation"/>: searched pictures with their reports, from Image Processing to Sensor
     /// Fusion.
     /// </summary>

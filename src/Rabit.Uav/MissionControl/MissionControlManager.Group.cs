@@ -25,6 +25,10 @@ public sealed partial class MissionControlManager
         private readonly QueueReceiver<Envelope<ValidationBid>> _bids;
         private readonly QueueSender<Envelope<ValidationTask>> _outgoingTasks;
         private readonly QueueSender<Envelope<ValidationBid>> _outgoingBids;
+        private readonly QueueReceiver<Envelope<FollowTask>> _follows;
+        private readonly QueueReceiver<Envelope<FollowBid>> _followBids;
+        private readonly QueueSender<Envelope<FollowTask>> _outgoingFollows;
+        private readonly QueueSender<Envelope<FollowBid>> _outgoingFollowBids;
         private readonly MessagePublisher<GroupStatus> _status;
         private readonly MissionGroup _group;
         private TimeSpan? _reported;
@@ -47,6 +51,12 @@ public sealed partial class MissionControlManager
                 MessageNames.ValidationBids, whenFull: QueueFullMode.DropOldest, wakeOnPush: false);
             _outgoingTasks = manager.Send<Envelope<ValidationTask>>(MessageNames.OutgoingValidationTasks);
             _outgoingBids = manager.Send<Envelope<ValidationBid>>(MessageNames.OutgoingValidationBids);
+            _follows = manager.Receive<Envelope<FollowTask>>(
+                MessageNames.FollowTasks, whenFull: QueueFullMode.DropOldest, wakeOnPush: false);
+            _followBids = manager.Receive<Envelope<FollowBid>>(
+                MessageNames.FollowBids, whenFull: QueueFullMode.DropOldest, wakeOnPush: false);
+            _outgoingFollows = manager.Send<Envelope<FollowTask>>(MessageNames.OutgoingFollowTasks);
+            _outgoingFollowBids = manager.Send<Envelope<FollowBid>>(MessageNames.OutgoingFollowBids);
             _status = manager.Publish<GroupStatus>(MessageNames.Group);
             (_group, group.Sender) = (group, this);
         }
@@ -65,10 +75,14 @@ public sealed partial class MissionControlManager
                 _group.Receive(flight, task);
             while (_bids.TryPop(out Envelope<ValidationBid> bid))
                 _group.Receive(flight, bid);
+            while (_follows.TryPop(out Envelope<FollowTask> follow))
+                _group.Receive(flight, follow);
+            while (_followBids.TryPop(out Envelope<FollowBid> followBid))
+                _group.Receive(followBid);
         }
 
         /// <summary>The run: another one begins the numbers of its targets at 1 again.</summary>
-        public void Begin(DateTimeOffset utc) => _group.BeginValidation((ushort)(utc.Ticks / TimeSpan.TicksPerSecond));
+        public void Begin(DateTimeOffset utc) => _group.BeginRun((ushort)(utc.Ticks / TimeSpan.TicksPerSecond));
 
         public void Update(MissionFlight flight, MissionPhase phase) => _group.Update(flight, phase);
 
@@ -98,5 +112,11 @@ public sealed partial class MissionControlManager
 
         public void Send(in ValidationBid bid, byte finder) => _ = _outgoingBids.Push(
             new Envelope<ValidationBid> { Content = bid, Destination = VehicleDestination.Vehicle(finder) });
+
+        public void Send(in FollowTask task)
+            => _ = _outgoingFollows.Push(new Envelope<FollowTask> { Content = task });
+
+        public void Send(in FollowBid bid, byte decider) => _ = _outgoingFollowBids.Push(
+            new Envelope<FollowBid> { Content = bid, Destination = VehicleDestination.Vehicle(decider) });
     }
 }

@@ -161,7 +161,7 @@ public sealed partial class MissionControlManager : RabitManager, IMissionOperat
         while (_searchedGround.TryPop(out CameraObservation observation))
         {
             flight.Route?.Mark(observation);
-            flight.Group?.Look(observation);
+            flight.Group?.Look(flight, observation);
         }
 
         if (!_tracks.Fetch())

@@ -29,6 +29,10 @@ internal sealed class RevisitPass
     /// <summary>Where it begins.</summary>
     public PlanePoint Start { get; }
 
+    /// <summary>None: the vehicle stays where it is.</summary>
+    public static RevisitPass Stay(MissionFlight flight)
+        => new(flight.Position, flight.Vehicle.Attitude.Yaw.Radians, radiusMetres: 0);
+
     /// <summary>Where the vehicle is when the optical axis of the camera meets the target.</summary>
     public PlanePoint Overhead { get; }
 

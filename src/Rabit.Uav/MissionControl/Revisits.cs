@@ -96,8 +96,10 @@ internal sealed class Revisits
             PlanePoint target = PositionOf(track, flight);
             double distance = target.DistanceTo(here);
             bool isNearer = distance < least || (distance.Equals(least) && track.Id < nearest!.Id);
-            // One that moves is gone later.
+            // One that moves is gone later. In a group it is followed by whom the group says.
             bool isNow = track.Motion != TargetMotion.Standing && flight.Mission.Revisit.FollowTime > TimeSpan.Zero;
+            if (isNow && flight.Group is not null)
+                continue;
             bool isTime = isNow || (isOnLane
                 ? IsPassing(flight.Route!, here, target)
                 : IsTimely(flight.Route!, here, target));
@@ -144,19 +146,19 @@ internal sealed class Revisits
     {
         if (track.Id == _charged)
             return null;
-        _budget ??= new RevisitBudget(flight.Mission, flight.Plan!.Lanes);
+        RevisitBudget budget = BudgetOf(flight);
         PlanePoint here = flight.Position;
         PlanePoint next = isOnLane ? here : flight.Route?.Current?.Start ?? here;
         double detour = Detour(here, PositionOf(track, flight), next);
-        if (!_budget.Allows(detour))
+        if (!budget.Allows(detour))
         {
             LeftOut++;
-            return $"would take {MissionNumbers.Of(detour)} m more; of the {MissionNumbers.Of(_budget.LimitMetres)} m "
-                + $"for revisits {MissionNumbers.Of(_budget.UsedMetres)} m are used";
+            return $"would take {MissionNumbers.Of(detour)} m more; of the {MissionNumbers.Of(budget.LimitMetres)} m "
+                + $"for revisits {MissionNumbers.Of(budget.UsedMetres)} m are used";
         }
 
         _charged = track.Id;
-        _budget.TakeWay(detour);
+        budget.TakeWay(detour);
         return null;
     }
 
@@ -174,6 +176,31 @@ internal sealed class Revisits
         else
             Failed++;
     }
+
+    /// <summary>Whether there is way and time to follow a target for the group.</summary>
+    /// <param name="flight">The state of the mission; with a plan.</param>
+    /// <param name="place">Where it is.</param>
+    public bool AllowsFollowing(MissionFlight flight, PlanePoint place)
+        => BudgetOf(flight).Allows(2 * flight.Position.DistanceTo(place));
+
+    /// <summary>Begins to follow a target for the group.</summary>
+    public void BeginFollowing(MissionFlight flight, PlanePoint place)
+        => BudgetOf(flight).TakeWay(2 * flight.Position.DistanceTo(place));
+
+    /// <summary>Ends it.</summary>
+    /// <param name="wasSeen">Whether the target was in view.</param>
+    /// <param name="took">How long it took.</param>
+    public void FinishFollowing(bool wasSeen, TimeSpan took)
+    {
+        _budget?.TakeTime(took);
+        if (wasSeen)
+            Completed++;
+        else
+            Failed++;
+    }
+
+    private RevisitBudget BudgetOf(MissionFlight flight)
+        => _budget ??= new RevisitBudget(flight.Mission, flight.Plan!.Lanes);
 
     /// <summary>Whether a track is not to be revisited any more.</summary>
     public bool IsFinished(int id) => _finished.Contains(id);

@@ -1,13 +1,13 @@
 using System;
-using System.Linq;
 using Rabit.Uav.Messages;
+using Rabit.Uav.SensorFusion.Moving;
 
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// Follows a target that moves: flies to where it is expected, and keeps it in the middle of the picture for
-/// <see cref="RevisitPlan.FollowTime"/>. A target that is lost is looked for where it may have gone, as long as
-/// <see cref="MaxLost"/>; a track of its class that begins there goes on as the same target.
+/// Follows a target that moves: flies to where it is expected, and keeps it in the middle of the picture until it was
+/// in view for <see cref="RevisitPlan.FollowTime"/>. A target that is lost is searched for in a growing area; a track
+/// of its class that begins there goes on as the same target.
 /// </summary>
 internal sealed class TargetFollower
 {
@@ -24,95 +24,124 @@ internal sealed class TargetFollower
     // Nearer than this there is no point in another command.
     private const double NewGoalMetres = 1;
 
-    // How far a lost target may be when it is found again: it has gone on for MaxLost at walking speed, or turned.
-    private const double SameTargetMetres = 60;
+    // From here on the way to the target is over, and what does not show it shows that it is lost.
+    private const double ArrivedMetres = 15;
+
+    // A track that begins so near goes on as the same target, beside how far that may have gone.
+    private const double SameTargetMetres = 40;
 
     private static readonly TimeSpan CommandPeriod = TimeSpan.FromSeconds(0.8);
     private static readonly TimeSpan MaxReportAge = TimeSpan.FromSeconds(2);
-    private static readonly TimeSpan MaxLost = TimeSpan.FromSeconds(15);
+
+    // So long it is looked for where it is expected.
+    private static readonly TimeSpan SearchAfter = TimeSpan.FromSeconds(5);
 
     private readonly TransitPath _transit = new();
     private readonly double _heading;
     private readonly double _height;
-    private readonly TargetClassName _class;
+    private readonly double _classSpeed;
+    private readonly IFollowedTarget _target;
     private readonly TimeSpan _wayThere;
+    private readonly TimeSpan _begun;
+    private FollowMark _mark;
+    private GrowingSearch? _search;
     private PlanePoint _goal;
     private TimeSpan _commanded;
     private TimeSpan _lastTick;
-    private TimeSpan _lastInView;
-    private TimeSpan _inView;
+    private TimeSpan? _lastInView;
 
     /// <summary>Begins to follow.</summary>
     /// <param name="flight">The vehicle and its mission.</param>
-    /// <param name="track">The target.</param>
+    /// <param name="target">The target.</param>
     /// <param name="headingRadians">Of the vehicle, all the time.</param>
-    public TargetFollower(MissionFlight flight, TargetTrack track, double headingRadians)
+    public TargetFollower(MissionFlight flight, IFollowedTarget target, double headingRadians)
     {
-        (TrackId, _heading) = (track.Id, headingRadians);
+        (_target, _heading, _mark) = (target, headingRadians, target.Begin(flight));
         _height = flight.Mission.Revisit.HeightMetres ?? flight.Mission.HeightMetres;
-        _class = track.Class;
-        _lastTick = _lastInView = flight.ActiveTime;
+        _classSpeed = (target.Motion == TargetMotion.Vehicle ? MotionModel.Vehicle : MotionModel.Walking)
+            .StartVelocitySigma;
+        _lastTick = _begun = flight.ActiveTime;
+        InView = target.InViewBefore;
         _goal = flight.Position;
         _transit.Begin(flight, _goal);
-        PlanePoint first = GoalFor(flight, track);
+        PlanePoint first = GoalFor(flight);
         _wayThere = TimeSpan.FromSeconds(2 * first.DistanceTo(_goal) / Speed(flight));
         Command(flight, first);
     }
 
-    /// <summary>The track that is followed now.</summary>
-    public int TrackId { get; private set; }
-
     /// <summary>How long the target was in view.</summary>
-    public TimeSpan InView => _inView;
+    public TimeSpan InView { get; private set; }
+
+    /// <summary>What is done now.</summary>
+    public FollowProgress Progress { get; private set; }
 
     /// <summary>Goes on for a tick.</summary>
-    /// <returns>Whether it is over: followed for long enough, or lost.</returns>
+    /// <returns>Whether it is over: followed for long enough, lost, or no target.</returns>
     public bool Tick(MissionFlight flight)
     {
         TimeSpan step = flight.ActiveTime - _lastTick;
         _lastTick = flight.ActiveTime;
-        TargetTrack? track = Revisits.Find(flight, TrackId);
-        if (track is null or { State: TrackState.Lost })
-            track = FindAgain(flight) ?? track;
-        bool isInView = track is { State: TrackState.Confirmed } && flight.Now - track.LastSeen <= MaxReportAge;
+        TargetTrack? track = _target.Find(flight, Expected(flight), SameTargetMetres + (_search is null ? 0
+            : _search.RadiusMetres(Unseen(flight))));
+        if (track is { State: TrackState.Confirmed or TrackState.Lost } && track.Time >= _mark.Time)
+            _mark = FollowMark.Of(track, flight);
+        bool isInView = track is { State: TrackState.Confirmed } && flight.Now - track.LastSeen <= MaxReportAge
+            && _target.IsSeen(flight);
         if (isInView)
         {
-            _inView += step;
-            _lastInView = flight.ActiveTime;
+            InView += step;
+            (_lastInView, _search) = (flight.ActiveTime, null);
         }
 
-        if (track is not null && flight.ActiveTime - _commanded >= CommandPeriod)
-            Command(flight, GoalFor(flight, track));
+        Go(flight, isInView);
+        return InView >= flight.Mission.Revisit.FollowTime || track?.State == TrackState.Rejected
+            || flight.ActiveTime - (_lastInView ?? (_begun + _wayThere)) > _target.MaxSearch;
+    }
+
+    // It is still there, or on the way there what others see of it is good enough.
+    private void Go(MissionFlight flight, bool isInView)
+    {
+        bool hasArrived = _lastInView is not null || _search is not null
+            || flight.Position.DistanceTo(GoalFor(flight)) <= ArrivedMetres;
+        bool isLost = !isInView && hasArrived && flight.Now - _mark.Time > SearchAfter;
+        Progress = isInView ? FollowProgress.InView
+            : isLost ? FollowProgress.Searching
+            : _lastInView is null ? FollowProgress.OnTheWay
+            : Progress;
+        if (isLost)
+            Search(flight);
+        else if (flight.ActiveTime - _commanded >= CommandPeriod)
+            Command(flight, GoalFor(flight));
         else
             Fly(flight);
-        TimeSpan limit = _inView > TimeSpan.Zero ? MaxLost : MaxLost + _wayThere;
-        return _inView >= flight.Mission.Revisit.FollowTime || flight.ActiveTime - _lastInView > limit
-            || track?.State == TrackState.Rejected;
     }
 
-    // The track ended with its target out of view, and another began when it was seen again.
-    private TargetTrack? FindAgain(MissionFlight flight)
+    private void Search(MissionFlight flight)
     {
-        TargetTrack? again = flight.Tracks.Tracks
-            .Where(t => t.State == TrackState.Confirmed && t.Class == _class && !flight.Revisits.IsFinished(t.Id))
-            .OrderBy(t => GoalFor(flight, t).DistanceTo(_goal))
-            .FirstOrDefault(t => GoalFor(flight, t).DistanceTo(_goal) <= SameTargetMetres);
-        if (again is null)
-            return null;
-        flight.Log($"track {MissionNumbers.Of(TrackId)} is followed as track {MissionNumbers.Of(again.Id)}");
-        flight.Revisits.Continue(TrackId);
-        TrackId = again.Id;
-        return again;
+        if (_search is null)
+        {
+            _search = new GrowingSearch(
+                Expected(flight), _mark.Velocity.HeadingRadians, flight.Mission.LaneSpacingMetres, _classSpeed);
+            flight.Log($"{_target.Name} is lost: searched for within "
+                + $"{MissionNumbers.Of(GrowingSearch.MaxRadiusMetres)} m, for "
+                + MissionNumbers.Seconds(_target.MaxSearch));
+        }
+
+        PlanePoint offset = RevisitPass.PlaceToSee(flight, default, _heading);
+        PlanePoint look = _search.Next(
+            flight.Position - offset, Unseen(flight),
+            place => flight.Plan!.InsideMetres(place + offset) >= FenceReserveMetres);
+        Command(flight, RevisitPass.PlaceToSee(flight, look, _heading));
     }
+
+    private TimeSpan Unseen(MissionFlight flight) => flight.Now - _mark.Time;
+
+    // Where it is now, as far as that can be said.
+    private PlanePoint Expected(MissionFlight flight) => _mark.PlaceAt(flight.Now, MaxExtrapolationSeconds);
 
     // Where the vehicle has to be soon for the target to be in the middle of the picture.
-    private PlanePoint GoalFor(MissionFlight flight, TargetTrack track)
-    {
-        double age = Math.Min(MaxExtrapolationSeconds, Math.Max(0, (flight.Now - track.Time).TotalSeconds));
-        var velocity = new PlanePoint(track.VelocityNed.North, track.VelocityNed.East);
-        PlanePoint target = Revisits.PositionOf(track, flight) + ((age + LeadSeconds) * velocity);
-        return RevisitPass.PlaceToSee(flight, target, _heading);
-    }
+    private PlanePoint GoalFor(MissionFlight flight)
+        => RevisitPass.PlaceToSee(flight, Expected(flight) + (LeadSeconds * _mark.Velocity), _heading);
 
     private void Command(MissionFlight flight, PlanePoint goal)
     {
@@ -130,7 +159,7 @@ internal sealed class TargetFollower
     private void Fly(MissionFlight flight)
         => flight.SetGoalPosition(_transit.Next(flight), _height, _heading, Speed(flight));
 
-    // In each tick: the operator may change that of the mission.
-    private static double Speed(MissionFlight flight) => Math.Max(
+    /// <summary>How fast it is flown, metres per second: the operator may change that of the mission.</summary>
+    public static double Speed(MissionFlight flight) => Math.Max(
         flight.Mission.SpeedMetresPerSecond, flight.Mission.Revisit.FollowSpeedMetresPerSecond ?? 0);
 }

@@ -92,6 +92,19 @@ public sealed class GroupHtmlReportTests
     }
 
     [Fact]
+    public void GroupFlightSummary_FollowingKnownByTwo_IsThatOfTheOneThatKnowsTheMost()
+    {
+        var task = new FollowTask { Finder = 1, Number = 1, Follower = 2, Decision = 2, State = FollowState.Awarded };
+        FollowTask over = task with { Decision = 3, State = FollowState.Closed, Result = FollowResult.Followed };
+        var group = new GroupFlightSummary(
+            [Vehicle(1, new GroupStatus { Followings = [task] }, []),
+                Vehicle(2, new GroupStatus { Followings = [over] }, [])]);
+
+        Assert.Equal(FollowResult.Followed, Assert.Single(group.Followings).Result);
+        Assert.Equal("by vehicle 2, 0 s in view", FollowText.Of(over));
+    }
+
+    [Fact]
     public void GroupFlightSummary_NoVehicle_IsRefused()
         => Assert.Throws<ArgumentException>(() => new GroupFlightSummary([]));
 

@@ -39,6 +39,21 @@ public sealed class GroupRolesTests
     }
 
     [Fact]
+    public void Take_TargetThatWeFollow_IsOurRoleUntilItIsOver()
+    {
+        var roles = new GroupRoles();
+        var task = new FollowTask { Finder = 3, Number = 4, Follower = 2, State = FollowState.Awarded };
+        roles.Take(TimeSpan.Zero, 2, new GroupStatus { Lanes = 1, Followings = [task] });
+        roles.Take(TimeSpan.FromSeconds(1), 2, new GroupStatus
+        {
+            Lanes = 1,
+            Followings = [task with { State = FollowState.Closed, Result = FollowResult.Followed }],
+        });
+
+        Assert.Equal([(3, 4), (0, 0)], roles.ToArray().Select(r => ((int)r.FollowedFinder, (int)r.FollowedNumber)));
+    }
+
+    [Fact]
     public void Take_TaskOfAnotherValidator_IsNoRoleOfOurs()
     {
         var roles = new GroupRoles();

@@ -88,9 +88,11 @@ public sealed class FollowTests(ITestOutputHelper output)
         return figures;
     }
 
+    // Also while it is searched for: then it is not in view.
     private static TargetTrack? Followed(SearchFlight flight)
         => flight.Tracks.Tracks.FirstOrDefault(
-            t => flight.Mission.Text == FormattableString.Invariant($"following track {t.Id}"));
+            t => flight.Mission.Text == FormattableString.Invariant($"following track {t.Id}")
+                || flight.Mission.Text == FormattableString.Invariant($"searching for track {t.Id}"));
 
     // From there on it is captured: before, it may have left the picture while the vehicle turned to it.
     private static bool IsBelow(SearchFlight flight, SimulatedTarget target)

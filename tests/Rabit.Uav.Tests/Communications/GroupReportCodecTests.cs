@@ -19,14 +19,14 @@ public sealed class GroupReportCodecTests : VehicleMessageCodecContract<GroupRep
         Assert.False(Fits(Random(random) with { SpeedMetresPerSecond = 0 }));
         Assert.False(Fits(Random(random) with { MetresLeft = double.NaN }));
         Assert.False(Fits(Random(random) with { SearchAltitudeAmslMetres = double.PositiveInfinity }));
-        Assert.False(Fits(Random(random) with { State = (GroupMemberState)3 }));
+        Assert.False(Fits(Random(random) with { State = (GroupMemberState)4 }));
         Assert.False(Fits(Random(random) with { LandingPlace = default }));
     }
 
     private protected override GroupReport Random(Random random) => new()
     {
         LanesKey = unchecked((uint)random.Next()),
-        State = (GroupMemberState)random.Next(3),
+        State = (GroupMemberState)random.Next(4),
         Position = Place(random),
         LandingPlace = Place(random),
         SearchAltitudeAmslMetres = (random.NextDouble() * 9000) - 400,

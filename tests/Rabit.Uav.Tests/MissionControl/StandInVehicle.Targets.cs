@@ -30,11 +30,12 @@ internal sealed partial class StandInVehicle
             TopRight = Corner(0.45, 0.6),
             BottomRight = Corner(-0.45, 0.6),
             BottomLeft = Corner(-0.45, -0.6),
-            Reports = [.. Enumerable.Range(0, Targets.Count).Where(IsSeen).Select(ReportOf)],
+            Reports = [.. Enumerable.Range(0, Targets.Count).Where(IsSeen).Select(ReportOf), .. MoverReports()],
         };
         Observations.Add(observation);
         _searched.Push(observation);
         SeeTargets();
+        SeeMovers();
     }
 
     private GeodeticPosition Corner(double forward, double right)

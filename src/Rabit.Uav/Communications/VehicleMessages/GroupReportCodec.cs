@@ -76,7 +76,7 @@ public sealed class GroupReportCodec : IVehicleMessageCodec<GroupReport>
 
     // Comparisons with NaN are false.
     private static bool IsValid(in GroupReport report)
-        => report.State is >= GroupMemberState.Waiting and <= GroupMemberState.Leaving
+        => report.State is >= GroupMemberState.Waiting and <= GroupMemberState.Following
             && IsPlace(report.Position)
             && IsPlace(report.LandingPlace)
             && Math.Abs(report.SearchAltitudeAmslMetres) <= MaxAltitudeMetres

@@ -4,7 +4,7 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>Takes what a vehicle sends to its group.</summary>
-internal interface IGroupSender : IValidationSender
+internal interface IGroupSender : IValidationSender, IFollowSender
 {
     /// <summary>Sends our report, where it is due.</summary>
     void Report(in GroupReport report, TimeSpan now);

@@ -18,7 +18,9 @@ internal sealed partial class MissionGroup
     public ValidationLook? CurrentLook => _validation?.Look;
 
     /// <summary>A run begins.</summary>
-    public void BeginValidation(ushort session) => _validation = new TargetValidation(session, Sender!, log);
+    public void BeginRun(ushort session)
+        => (_validation, _following, _links)
+            = (new TargetValidation(session, Sender!, log), new FollowBook(session, Sender!, log), null);
 
     public void Receive(MissionFlight flight, in Envelope<ValidationTask> envelope)
     {
@@ -30,11 +32,15 @@ internal sealed partial class MissionGroup
         => _validation?.Receive(envelope.SourceSystemId, envelope.Content, flight.Now);
 
     /// <summary>A picture of our own that was searched.</summary>
-    public void Look(in CameraObservation observation) => _validation?.Look?.Take(observation);
+    public void Look(MissionFlight flight, in CameraObservation observation)
+    {
+        _validation?.Look?.Take(observation);
+        TakeOwnReports(flight, observation);
+    }
 
-    /// <summary>Whether others are there that can validate what we find.</summary>
-    public bool HasOthers(MissionFlight flight)
-        => _members.Present(flight.Now).Any(m => m.Report.State == GroupMemberState.Available);
+    /// <summary>Whether others are there that can validate what we find, now or when they have followed.</summary>
+    public bool HasOthers(MissionFlight flight) => _members.Present(flight.Now)
+        .Any(m => m.Report.State is GroupMemberState.Available or GroupMemberState.Following);
 
     /// <summary>Whether another vehicle has validated a target, with a result.</summary>
     public bool IsValidated(MissionFlight flight, TargetTrack track)

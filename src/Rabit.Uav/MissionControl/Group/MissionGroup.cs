@@ -61,7 +61,9 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         OwnMetresLeft = _own.MetresLeft,
         Lanes = Lanes?.Lanes.Count ?? 0,
         Validations = _validation?.TasksOf(SystemId).ToImmutableArray() ?? [],
-        Refused = _members.Refused + _division.Refused + _coverage.Refused + (_validation?.Refused ?? 0),
+        Followings = _following?.Entries.Select(e => e.Task).ToImmutableArray() ?? [],
+        Refused = _members.Refused + _division.Refused + _coverage.Refused + (_validation?.Refused ?? 0)
+            + (_following?.Refused ?? 0),
     };
 
     public void Receive(MissionFlight flight, in Envelope<GroupReport> envelope)
@@ -100,6 +102,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
             if (phase != MissionPhase.Searching)
                 TakeShare(flight);
             UpdateValidation(flight, present);
+            UpdateFollowing(flight, present);
             if (_coverage.Update(lanes, flight.Route!.Coverage, flight.Now, present.Length > 0) is { } seen)
                 Sender?.Send(seen);
         }
@@ -158,9 +161,10 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
             .Count(m => m.Report.State == GroupMemberState.Available && m.Report.MetresLeft > 0);
         return busy > 0
             ? $"our lanes are flown; others still searching: {MissionNumbers.Of(busy)}"
-            : HasOthers(flight) && _validation?.IsPending == true
-                ? "our lanes are flown; targets are still being validated"
-                : null;
+            : !HasOthers(flight) ? null
+            : _validation?.IsPending == true ? "our lanes are flown; targets are still being validated"
+            : _following?.IsPending == true ? "our lanes are flown; a target is still followed"
+            : null;
     }
 
     /// <summary>What of the others is in the way of a take-off; null where nothing is.</summary>
@@ -198,7 +202,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
 
     private bool GoesFirst(byte id, in GroupReport report) => report.State switch
     {
-        GroupMemberState.Available => true,
+        GroupMemberState.Available or GroupMemberState.Following => true,
         GroupMemberState.Waiting => id < SystemId,
         _ => report.Position.AltitudeAmslMetres - report.LandingPlace.AltitudeAmslMetres > FlyingMetres,
     };
@@ -243,7 +247,8 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         return new GroupReport
         {
             LanesKey = KeyOf(flight.Mission),
-            State = StateOf(phase),
+            State = CurrentFollow is not null && phase == MissionPhase.Revisiting ? GroupMemberState.Following
+                : StateOf(phase),
             Position = flight.Vehicle.Position,
             LandingPlace = landing,
             SearchAltitudeAmslMetres = landing.AltitudeAmslMetres + flight.Mission.HeightMetres,

@@ -21,6 +21,8 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
     private double _speed;
     private int _reportsBefore;
     private TargetFollower? _follower; // null for a target that stands
+    private TrackedTarget? _tracked; // what it follows, where we follow it alone
+    private FollowedTask? _task; // what it follows, in a group
     private RevisitPass _pass = null!; // planned when the phase is entered
     private bool _isAtStart;
     private bool _isThrough;
@@ -35,21 +37,39 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
         _overhead = null;
         _begun = flight.ActiveTime;
         _order = by == MissionEvent.OperatorRevisit ? flight.Ordered : null;
-        _look = _order is null ? flight.Group?.CurrentLook : null;
-        TargetTrack? track = _look is not null ? null
+        _task = _order is null ? flight.Group?.CurrentFollow : null;
+        _look = _order is null && _task is null ? flight.Group?.CurrentLook : null;
+        TargetTrack? track = _look is not null || _task is not null ? null
             : _order is null ? flight.Revisits.Chosen(flight) : Revisits.Find(flight, _order.TrackId);
         (_track, _reportsBefore) = (track?.Id ?? 0, track?.Reports ?? 0);
         PlanePoint target = _look is { } look ? look.Place
+            : _task is { } task ? task.Begin(flight).Place
             : track is null ? OperatorFaults.PlaceOf(flight.Plan!, _order!.Place)
             : Revisits.PositionOf(track, flight);
-        _pass = RevisitPass.Plan(flight, target)!;
+        BeginPass(flight, target, track);
+    }
+
+    /// <summary>A target of the group is for another one then.</summary>
+    public override void Leave(MissionFlight flight)
+    {
+        if (_task is not null)
+            flight.Group!.LeaveFollowed(flight);
+        _task = null;
+    }
+
+    private void BeginPass(MissionFlight flight, PlanePoint target, TargetTrack? track)
+    {
+        // What is followed may have left the fence since it was chosen: the vehicle waits for it where it is.
+        _pass = RevisitPass.Plan(flight, target) ?? RevisitPass.Stay(flight);
         _isAtStart = _isThrough = !_pass.IsThrough;
         _transit.Begin(flight, _pass.IsThrough ? _pass.Start : _pass.Overhead);
         _speed = flight.Mission.SpeedMetresPerSecond;
         _limit = PathFollower.TimeLimit(flight, _pass.LengthFrom(flight.Position)) + MaxHold;
         bool isFollowed = track is { Motion: not TargetMotion.Standing }
             && flight.Mission.Revisit.FollowTime > TimeSpan.Zero && !flight.IsFixedWing;
-        _follower = isFollowed ? new TargetFollower(flight, track!, _pass.HeadingRadians) : null;
+        _tracked = isFollowed ? new TrackedTarget(track!) : null;
+        IFollowedTarget? followed = _task is not null ? _task : _tracked;
+        _follower = followed is not null ? new TargetFollower(flight, followed, _pass.HeadingRadians) : null;
     }
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
@@ -57,7 +77,7 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
         if (flight.Commands.Failures >= MaxFailures)
             return ReturnToLaunch(flight.Commands.LastFailure);
         if (_follower is { } follower)
-            return Follow(flight, follower, isLate: inPhase > _limit + flight.Mission.Revisit.FollowTime);
+            return Follow(flight, follower, inPhase);
         _limit += PathFollower.MoreTime(flight, ref _speed);
         TargetTrack? track = Revisits.Find(flight, _track);
         bool isWanted = _look is not null ? ReferenceEquals(flight.Group!.CurrentLook, _look)
@@ -99,18 +119,38 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
             : MissionStep.Stay;
     }
 
-    private MissionStep Follow(MissionFlight flight, TargetFollower follower, bool isLate)
+    private MissionStep Follow(MissionFlight flight, TargetFollower follower, TimeSpan inPhase)
     {
-        bool isOver = follower.Tick(flight);
-        _track = follower.TrackId;
-        flight.Text = $"following track {MissionNumbers.Of(_track)}";
-        if (!isOver && !isLate)
-            return MissionStep.Stay;
-        string inView = $"{MissionNumbers.Of((int)follower.InView.TotalSeconds)} s in view";
+        // A search that finds it again counts once.
+        bool isLate = inPhase > _limit + flight.Mission.Revisit.FollowTime + (_task?.MaxSearch ?? _tracked!.MaxSearch);
+        bool isOver = follower.Tick(flight) || isLate;
         bool isEnough = follower.InView >= flight.Mission.Revisit.FollowTime;
-        return Finish(
-            flight, wasObserved: follower.InView > TimeSpan.Zero, (isEnough ? "followed, " : "lost, ") + inView);
+        string inView = (isEnough ? "followed, " : "lost, ")
+            + $"{MissionNumbers.Of((int)follower.InView.TotalSeconds)} s in view";
+        if (_task is { } task)
+            return FollowForGroup(flight, follower, task, isOver, isEnough, inView);
+        _track = _tracked!.TrackId;
+        flight.Text = $"{Doing(follower)} {_tracked.Name}";
+        return isOver ? Finish(flight, wasObserved: follower.InView > TimeSpan.Zero, inView) : MissionStep.Stay;
     }
+
+    private MissionStep FollowForGroup(
+        MissionFlight flight, TargetFollower follower, FollowedTask task, bool isOver, bool isEnough, string inView)
+    {
+        flight.Text = $"{Doing(follower)} {task.Name}";
+        if (isOver)
+            flight.Group!.EndFollowed(flight, task, follower, isEnough ? FollowResult.Followed : FollowResult.Lost);
+        else
+            flight.Group!.ReportFollowed(flight, task, follower);
+        string? relieved = isOver ? inView : flight.Group!.WhyNotFollowed(flight, task);
+        if (relieved is null)
+            return MissionStep.Stay;
+        flight.Revisits.FinishFollowing(follower.InView > task.InViewBefore, flight.ActiveTime - _begun);
+        return new MissionStep(MissionEvent.Revisited, $"{task.Name}: {relieved}");
+    }
+
+    private static string Doing(TargetFollower follower)
+        => follower.Progress == FollowProgress.Searching ? "searching for" : "following";
 
     private bool FlyTo(MissionFlight flight, PlanePoint place)
     {

@@ -56,10 +56,15 @@ internal sealed class SearchingState : MissionState
         if (!_isOnLane && flight.Group is { } group)
         {
             group.BeginLeg(flight);
+            if (group.IsAwaitingShare(flight))
+                return Wait(flight, "our lanes are divided");
             if (group.NextValidation(flight) is { } validation)
                 return new MissionStep(MissionEvent.TargetFound, validation);
         }
 
+        // At once, on a lane too: it is elsewhere later.
+        if (flight.Group?.NextFollow(flight) is { } follow)
+            return new MissionStep(MissionEvent.TargetFound, follow);
         if (flight.IsFixedWing && flight.Commands.Failures > 0)
             return new MissionStep(MissionEvent.Hold, "the leg was not accepted: " + flight.Commands.LastFailure);
         if (flight.Commands.Failures >= MaxFailures)

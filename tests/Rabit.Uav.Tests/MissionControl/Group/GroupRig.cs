@@ -145,6 +145,8 @@ internal sealed class GroupRig : IDisposable
             Add<LaneCoverage>(workspace, MessageNames.OutgoingLaneCoverages, MessageNames.LaneCoverages);
             Add<ValidationTask>(workspace, MessageNames.OutgoingValidationTasks, MessageNames.ValidationTasks);
             Add<ValidationBid>(workspace, MessageNames.OutgoingValidationBids, MessageNames.ValidationBids);
+            Add<FollowTask>(workspace, MessageNames.OutgoingFollowTasks, MessageNames.FollowTasks);
+            Add<FollowBid>(workspace, MessageNames.OutgoingFollowBids, MessageNames.FollowBids);
         }
 
         public void Deliver(IEnumerable<RadioEnd> others, Func<bool> isLost)

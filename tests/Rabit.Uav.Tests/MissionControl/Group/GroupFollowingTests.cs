@@ -1,0 +1,213 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+using Xunit;
+
+namespace Rabit.Uav.Tests.MissionControl.Group;
+
+/// <summary>A target that moves is followed by one vehicle of a group, and the others fly its lanes.</summary>
+public sealed class GroupFollowingTests
+{
+    private const string Field = "[[60,-180],[60,180],[360,180],[360,-180]]";
+
+    [Fact]
+    public void Target_Moves_IsFollowedByOneAndTheOthersTakeOverItsLanes()
+    {
+        using GroupRig rig = Open(3, followSeconds: 40);
+        Add(rig, Walker(0.5));
+        Assert.True(rig.RunUntil(() => Following(rig).Length > 0, 300), rig.Story);
+        int follower = Following(rig)[0];
+        Assert.True(rig.RunUntil(() => Others(rig, follower).All(i => LanesOf(rig, i, follower) == 0), 8), rig.Story);
+        Assert.True(rig.RunUntil(() => rig.Rigs[follower].Vehicle.Sees(0), 30), rig.Story);
+        for (int i = 0; i < 30; i++)
+        {
+            rig.Run(1);
+            Assert.True(rig.Rigs[follower].Vehicle.Sees(0), $"out of view at {rig.Seconds}: {rig.Story}");
+            Assert.Equal([follower], Following(rig));
+        }
+
+        Assert.True(rig.RunToEnd(), rig.Story);
+        FollowTask task = Assert.Single(Tasks(rig));
+        Assert.Equal(FollowResult.Followed, task.Result);
+        Assert.True(task.InView >= TimeSpan.FromSeconds(40), rig.Story);
+        Assert.All(rig.Rigs, r => Assert.Equal(MissionOutcome.Accomplished, r.Status.Result.Outcome));
+        Assert.Equal(
+            1,
+            rig.Rigs.Sum(r => r.Decisions.Count(d => d.Contains("Searching -> Revisiting: to follow moving target"))));
+    }
+
+    [Fact]
+    public void Target_OfAMovingClassStandsStill_IsFollowedOnce()
+    {
+        using GroupRig rig = Open(2, followSeconds: 20);
+        Add(rig, _ => (200, 20));
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.Equal(FollowResult.Followed, Assert.Single(Tasks(rig)).Result);
+        Assert.Equal(1, rig.Rigs.Sum(r => r.Status.Revisits));
+    }
+
+    [Fact]
+    public void Target_FoundAlone_IsFollowedByTheFinder()
+    {
+        using GroupRig rig = Open(1, followSeconds: 20);
+        Add(rig, Walker(0.5));
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.Equal(FollowResult.Followed, Assert.Single(Tasks(rig)).Result);
+    }
+
+    [Fact]
+    public void Follower_IsLost_AnotherOneFollows()
+    {
+        using GroupRig rig = Open(3, followSeconds: 120);
+        Add(rig, Walker(0.5));
+        Assert.True(rig.RunUntil(() => Following(rig).Length > 0, 300), rig.Story);
+        rig.Run(15);
+        int lost = Following(rig)[0];
+        rig.Lost.Add(lost);
+        Assert.True(rig.RunUntil(() => Following(rig).Any(i => rig.Rigs[i].Vehicle.Sees(0)), 60), rig.Story);
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.Contains(Tasks(rig), t => t.Result == FollowResult.Followed && t.Follower != lost + 1);
+    }
+
+    [Fact]
+    public void Follower_BatteryIsLow_IsRelievedWithTheTargetInView()
+    {
+        using GroupRig rig = Open(3, followSeconds: 400, area: "[[60,-80],[60,80],[360,80],[360,-80]]");
+        Add(rig, Walker(0.3));
+        Assert.True(rig.RunUntil(() => Following(rig).Length > 0, 300), rig.Story);
+        int first = Following(rig)[0];
+        Assert.True(rig.RunUntil(() => rig.Rigs[first].Vehicle.Sees(0), 40), rig.Story);
+        double from = rig.Seconds;
+        StandInVehicle vehicle = rig.Rigs[first].Vehicle;
+        double unseen = 0;
+        Assert.True(
+            rig.RunUntil(
+                () =>
+                {
+                    vehicle.Battery = Math.Max(0.05, 0.5 - ((rig.Seconds - from) * 0.002));
+                    bool isSeen = Following(rig).Any(i => rig.Rigs[i].Vehicle.Sees(0));
+                    unseen += isSeen ? 0 : 0.1;
+                    return Following(rig).SequenceEqual([.. Others(rig, first).Intersect(Following(rig))])
+                        && Following(rig).Length == 1;
+                },
+                300),
+            rig.Story);
+        Assert.True(unseen <= 1, $"{unseen} s unseen: {rig.Story}");
+        Assert.Contains("another one is to relieve us", rig.Story);
+        Assert.True(rig.RunUntil(() => rig.Rigs[first].Status.Phase == MissionPhase.Returning, 300), rig.Story);
+    }
+
+    [Fact]
+    public void Target_IsLostAndSeenAgain_IsFollowedOn()
+    {
+        using GroupRig rig = Open(2, followSeconds: 60);
+        double? hidden = null;
+        Func<TimeSpan, (double, double)?> walker = Walker(0.8);
+        Add(rig, t => hidden is { } from && t.TotalSeconds > from && t.TotalSeconds < from + 20 ? null : walker(t));
+        Assert.True(rig.RunUntil(() => Following(rig).Any(i => rig.Rigs[i].Vehicle.Sees(0)), 300), rig.Story);
+        rig.Run(5);
+        hidden = rig.Rigs[0].Now.TotalSeconds;
+        Assert.True(rig.RunUntil(() => Tasks(rig).Any(t => t.Progress == FollowProgress.Searching), 15), rig.Story);
+        Assert.True(rig.RunUntil(() => Tasks(rig).Any(t => t.Progress == FollowProgress.InView), 40), rig.Story);
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.Equal(FollowResult.Followed, Assert.Single(Tasks(rig)).Result);
+    }
+
+    [Fact]
+    public void Target_IsGone_IsSearchedForAndGivenUpAndTheSearchGoesOn()
+    {
+        using GroupRig rig = Open(2, followSeconds: 60);
+        double? gone = null;
+        Func<TimeSpan, (double, double)?> walker = Walker(0.8);
+        Add(rig, t => t.TotalSeconds > gone ? null : walker(t));
+        Assert.True(rig.RunUntil(() => Following(rig).Any(i => rig.Rigs[i].Vehicle.Sees(0)), 300), rig.Story);
+        rig.Run(5);
+        gone = rig.Rigs[0].Now.TotalSeconds;
+        int follower = Following(rig)[0];
+        int from = rig.Rigs[follower].Vehicle.Path.Count;
+        Assert.True(rig.RunUntil(() => Following(rig).Length == 0, 90), rig.Story);
+        double[] north = rig.Rigs[follower].Vehicle.Path.Skip(from).Select(p => p.North).ToArray();
+        Assert.InRange(north.Max() - north.Min(), 40, 230);
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.Equal(FollowResult.Lost, Assert.Single(Tasks(rig)).Result);
+        Assert.Contains("is lost: searched for within 100.0 m", rig.Story);
+        Assert.All(rig.Rigs, r => Assert.Equal(MissionOutcome.Accomplished, r.Status.Result.Outcome));
+    }
+
+    [Fact]
+    public void Targets_TwoAndOneVehicle_AreFollowedOneAfterTheOther()
+    {
+        using GroupRig rig = Open(1, followSeconds: 20);
+        Add(rig, _ => (120, 0));
+        Add(rig, _ => (125, 60));
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.Equal(2, Tasks(rig).Count(t => t.Result == FollowResult.Followed));
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    public void Partition_BothPartsFollow_OneFollowsAfterItHeals(int seed)
+    {
+        using GroupRig rig = Open(3, seed, followSeconds: 200);
+        rig.Loss = 0.4;
+        Add(rig, Walker(0.4));
+        Assert.True(rig.RunUntil(() => Following(rig).Any(i => rig.Rigs[i].Vehicle.Sees(0)), 300), rig.Story);
+        int first = Following(rig)[0];
+        rig.Reaches = (a, b) => a != first && b != first;
+        Assert.True(rig.RunUntil(() => Following(rig).Count(i => rig.Rigs[i].Vehicle.Sees(0)) == 2, 90), rig.Story);
+        rig.Run(5);
+        rig.Reaches = (_, _) => true;
+        Assert.True(rig.RunUntil(() => Following(rig).Length == 1, 8), rig.Story);
+        for (int i = 0; i < 20; i++)
+        {
+            rig.Run(1);
+            Assert.Single(Following(rig));
+        }
+    }
+
+    private static int[] Following(GroupRig rig) => Enumerable.Range(0, rig.Rigs.Count)
+        .Where(i => !rig.Lost.Contains(i) && rig.Rigs[i].Status.Phase == MissionPhase.Revisiting
+            && rig.Rigs[i].Status.Text?.Contains("moving target") == true).ToArray();
+
+    private static IEnumerable<int> Others(GroupRig rig, int vehicle)
+        => Enumerable.Range(0, rig.Rigs.Count).Where(i => i != vehicle);
+
+    private static int LanesOf(GroupRig rig, int asKnownBy, int vehicle)
+        => rig.StatusOf(asKnownBy).Members.Single(m => m.SystemId == vehicle + 1).Lanes;
+
+    private static List<FollowTask> Tasks(GroupRig rig) => Enumerable.Range(0, rig.Rigs.Count)
+        .Where(i => !rig.Lost.Contains(i))
+        .SelectMany(i => rig.StatusOf(i).Followings)
+        .Where(t => t.Result != FollowResult.SameTarget)
+        .GroupBy(t => (t.Finder, t.Session, t.Number))
+        .Select(g => g.OrderByDescending(t => t.Decision).First()).ToList();
+
+    // To and fro across the middle of the field.
+    private static Func<TimeSpan, (double North, double East)?> Walker(double speed)
+        => t => (200 + (60 * Math.Sin(t.TotalSeconds * speed / 60)), 20);
+
+    // The homes are 20 m apart.
+    private static void Add(GroupRig rig, Func<TimeSpan, (double North, double East)?> mover)
+    {
+        for (int i = 0; i < rig.Rigs.Count; i++)
+        {
+            int east = 20 * i;
+            rig.Rigs[i].Vehicle.Movers.Add(
+                t => mover(t) is var (n, e) ? (n, e - east) : null);
+        }
+    }
+
+    private static GroupRig Open(int vehicles, int seed = 1, double followSeconds = 20, string area = Field)
+        => new(
+            vehicles,
+            MissionRig.Mission(
+                ", \"targetMotions\": { \"red\": \"walking\" }, "
+                    + "\"revisit\": { \"maxWayFraction\": 2, \"followSeconds\": "
+                    + followSeconds.ToString(System.Globalization.CultureInfo.InvariantCulture) + " }",
+                area),
+            seed);
+}
