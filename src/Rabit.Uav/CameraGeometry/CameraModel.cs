@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.CameraGeometry;
 

@@ -1,6 +1,5 @@
 using System;
 using Rabit.Uav.Messages;
-using Rabit.Uav.SensorFusion.Moving;
 
 namespace Rabit.Uav.MissionControl;
 
@@ -58,8 +57,7 @@ internal sealed class TargetFollower
     {
         (_target, _heading, _mark) = (target, headingRadians, target.Begin(flight));
         _height = flight.Mission.Revisit.HeightMetres ?? flight.Mission.HeightMetres;
-        _classSpeed = (target.Motion == TargetMotion.Vehicle ? MotionModel.Vehicle : MotionModel.Walking)
-            .StartVelocitySigma;
+        _classSpeed = TargetSpeeds.Of(target.Motion);
         _lastTick = _begun = flight.ActiveTime;
         InView = target.InViewBefore;
         _goal = flight.Position;

@@ -5,6 +5,7 @@ using System.Text.Json;
 using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Json;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing;
 

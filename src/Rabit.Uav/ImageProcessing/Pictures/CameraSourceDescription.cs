@@ -6,6 +6,7 @@ using System.Linq;
 using System.Text.Json;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Json;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing;
 

@@ -1,3 +1,5 @@
+using Rabit.Uav.Messages;
+
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>What the program of a <see cref="ProcessCamera"/> writes.</summary>

@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using Rabit.Uav.Messages;
 using Rabit.Vision;
 
 namespace Rabit.Uav.ImageProcessing;

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
-using Rabit.Uav.SensorFusion.Moving;
 
 namespace Rabit.Uav.MissionControl;
 
@@ -37,10 +36,6 @@ internal sealed class FollowLinks(FollowBook book)
     /// <summary>How targets of a class move; null before one was seen.</summary>
     public TargetMotion? MotionOf(TargetClassName name)
         => _motions.TryGetValue(name, out TargetMotion motion) ? motion : null;
-
-    /// <summary>How fast a target goes that is out of view, metres per second.</summary>
-    public static double SpeedOf(TargetMotion motion)
-        => (motion == TargetMotion.Vehicle ? MotionModel.Vehicle : MotionModel.Walking).StartVelocitySigma;
 
     /// <summary>The tracks that show the target of a task.</summary>
     public IEnumerable<TargetTrack> TracksOf(FollowEntry entry, MissionFlight flight)
@@ -109,7 +104,7 @@ internal sealed class FollowLinks(FollowBook book)
                 continue;
             double distance = PlaceOf(entry, flight.Plan!.Frame, flight.Now).DistanceTo(place);
             double seconds = Math.Max(0, (flight.Now - entry.Task.Time - MaxAge).TotalSeconds);
-            double speed = isFollowed ? SpeedAfterwards(entry.Task) : SpeedOf(track.Motion);
+            double speed = isFollowed ? SpeedAfterwards(entry.Task) : TargetSpeeds.Of(track.Motion);
             double gone = Math.Min(GrowingSearch.MaxRadiusMetres, speed * seconds);
             if (distance <= SameMetres + RadiusOf(track) + RadiusOf(entry) + gone && distance < least)
                 (nearest, least) = (entry, distance);

@@ -135,7 +135,7 @@ internal sealed partial class MissionGroup
         PlanePoint expected = FollowMark.Of(task, flight.Plan!.Frame).PlaceAt(observation.Time, maxSeconds: 3);
         double lost = Math.Max(0, (observation.Time - task.Time).TotalSeconds - 3);
         double radius = Math.Min(
-            GrowingSearch.MaxRadiusMetres, OwnReportMetres + (FollowLinks.SpeedOf(MotionOf(task.Class)) * lost));
+            GrowingSearch.MaxRadiusMetres, OwnReportMetres + (TargetSpeeds.Of(MotionOf(task.Class)) * lost));
         foreach (TargetReport report in observation.Reports)
         {
             bool isSuch = report.Class == task.Class && report.MarkerId == task.MarkerId;

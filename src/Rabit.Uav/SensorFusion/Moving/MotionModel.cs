@@ -1,4 +1,5 @@
 using System;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.SensorFusion.Moving;
 
@@ -16,10 +17,11 @@ internal sealed class MotionModel
     }
 
     /// <summary>A person on foot, who may stop and go on.</summary>
-    public static MotionModel Walking { get; } = ConstantVelocity(0.1, 1.5);
+    public static MotionModel Walking { get; } = ConstantVelocity(0.1, TargetSpeeds.WalkingMetresPerSecond);
 
     /// <summary>A vehicle: goes straight on, or turns, brakes or starts with up to 4 m/s2.</summary>
-    public static MotionModel Vehicle { get; } = TwoModes(0.05, 20, 8, 0.1, 0.3);
+    public static MotionModel Vehicle { get; } = TwoModes(
+        0.05, 20, TargetSpeeds.VehicleMetresPerSecond, 0.1, 0.3);
 
     /// <summary>One or two.</summary>
     public int Modes => _lively > _quiet ? 2 : 1;

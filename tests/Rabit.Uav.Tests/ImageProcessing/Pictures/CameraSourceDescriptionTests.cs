@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
 using Rabit.Uav.Tests.ImageProcessing.VideoDevices;
 using Rabit.Vision;
 using Rabit.Vision.Tests.Pictures;

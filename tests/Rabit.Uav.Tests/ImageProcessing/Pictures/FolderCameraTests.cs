@@ -4,6 +4,7 @@ using System.Linq;
 using System.Text;
 using Rabit.Tests.Shared;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
 using Rabit.Vision;
 using Rabit.Vision.Tests.Pictures;
 using Xunit;

@@ -1,4 +1,4 @@
-namespace Rabit.Uav.ImageProcessing;
+namespace Rabit.Uav.Messages;
 
 /// <summary>How the bytes of a picture are arranged.</summary>
 public enum PixelFormat
