@@ -15,7 +15,7 @@ internal sealed class GroupTables(PageWriter page, GroupFlightSummary data)
     public void WriteVehicles()
     {
         page.Open("section").Element("h2", "Vehicles").Open("div", "class", "card scroll").Open("table");
-        Head("vehicle", "ended", "#lanes", "#flown m", "#time", "#battery", "#found", "#validated", "#radio kbit/s",
+        page.TableHead("vehicle", "ended", "#lanes", "#flown m", "#time", "#battery", "#found", "#validated", "#radio kbit/s",
             "#lost", "report");
         page.Open("tbody");
         for (int i = 0; i < data.Vehicles.Count; i++)
@@ -36,7 +36,7 @@ internal sealed class GroupTables(PageWriter page, GroupFlightSummary data)
             .OrderBy(d => d.Item1).ThenBy(d => d.i).ToArray();
         page.Open("section").Element("h2", "Decisions of all vehicles");
         page.Open("div", "class", "card scroll").Open("table", "class", "stacked");
-        Head("#time", "by", "what");
+        page.TableHead("#time", "by", "what");
         page.Open("tbody");
         foreach ((TimeSpan time, int vehicle, string text) in decisions.Take(MaxDecisions))
         {
@@ -56,11 +56,11 @@ internal sealed class GroupTables(PageWriter page, GroupFlightSummary data)
     public void WriteRun()
     {
         page.Open("section").Element("h2", "Run").Open("div", "class", "card").Open("dl", "class", "run");
-        Fact("command line", data.CommandLine);
-        Fact("flown", data.Source);
+        page.Fact("command line", data.CommandLine);
+        page.Fact("flown", data.Source);
         if (data.Seed is { } seed)
-            Fact("seed", FlightText.Number(seed));
-        Fact("ended by", string.Join("; ", data.Vehicles.Select(v => v.Flight.StopReason).Distinct(
+            page.Fact("seed", FlightText.Number(seed));
+        page.Fact("ended by", string.Join("; ", data.Vehicles.Select(v => v.Flight.StopReason).Distinct(
             StringComparer.Ordinal)));
         page.Close().Close().Close();
     }
@@ -102,15 +102,4 @@ internal sealed class GroupTables(PageWriter page, GroupFlightSummary data)
 
     // A path on this side: never an address with a scheme.
     private static string Address(string file) => string.Join("/", file.Split('/').Select(Uri.EscapeDataString));
-
-    private void Fact(string name, string value) => page.Element("dt", name).Element("dd", value);
-
-    // A # before the name: a column of numbers.
-    private void Head(params string[] names)
-    {
-        page.Open("thead").Open("tr");
-        foreach (string name in names)
-            page.Element("th", name.TrimStart('#'), "scope", "col", "class", name[0] == '#' ? "number" : string.Empty);
-        page.Close().Close();
-    }
 }

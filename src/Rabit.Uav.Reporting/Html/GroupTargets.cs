@@ -40,69 +40,66 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
         bool isFalse = data.Score?.FalseTracks.Contains(track) == true;
         ValidationTask? task = TaskOf(track);
         (string state, string kind) = isFalse ? ("false", "false") : StateOf(task, track);
-        Begin(kind, FlightText.Number((long)track.Id), track.Class, state);
+        page.OpenTargetCard(kind, FlightText.Number((long)track.Id), track.Class, state);
         WritePictures(track, task);
         page.Open("dl");
         if (target is not null)
         {
-            Fact("is", target.Name);
-            Fact("error", $"{FlightText.Number(target.ErrorMetres, "0.00")} m");
+            page.Fact("is", target.Name);
+            page.Fact("error", $"{FlightText.Number(target.ErrorMetres, "0.00")} m");
         }
 
         WriteValidation(task, track);
         page.Element("dt", "position").Open("dd").Element("span", TargetPlace.Decimal(track.Position), "class", "whole")
             .CopyButton(TargetPlace.Decimal(track.Position), "copy position").Close();
-        Fact(
+        page.Fact(
             "95 % ellipse",
             $"{FlightText.Number(track.Covariance.HalfMajorAxis95Metres, "0.0")} × "
                 + $"{FlightText.Number(track.Covariance.HalfMinorAxis95Metres, "0.0")} m");
-        Fact("seen", $"{FlightText.Clock(track.FirstSeen)} to {FlightText.Clock(track.LastSeen)}");
+        page.Fact("seen", $"{FlightText.Clock(track.FirstSeen)} to {FlightText.Clock(track.LastSeen)}");
         page.Close().Close();
     }
 
     private void WriteMissed(TargetScore target)
     {
-        Begin("missed", target.Name, target.Class, "missed");
+        page.OpenTargetCard("missed", target.Name, target.Class, "missed");
         page.Element("p", "No vehicle has a confirmed track of this class within 10 m.", "class", "note").Close();
-    }
-
-    private void Begin(string kind, string name, TargetClassName targetClass, string state)
-    {
-        page.Open("article", "class", "card target " + kind).Open("h3");
-        page.Element("i", string.Empty, "class", "swatch", "style", "background:" + TargetClassNames.Css(targetClass));
-        page.Text(name + " ").Element("small", TargetClassNames.Name(targetClass))
-            .Element("b", state, "class", "state").Close();
     }
 
     // Targets that move are not validated.
     private void WriteFollowing(TargetTrack track)
     {
-        FollowTask[] tasks = data.Followings
-            .Where(t => t.Class == track.Class && t.MarkerId == track.MarkerId).ToArray();
-        Fact("followed", tasks.Length == 0 ? "no" : string.Join("; ", tasks.Select(FollowText.Of)));
+        FollowTask[] tasks = FollowingsOf(track);
+        page.Fact("followed", tasks.Length == 0 ? "no" : string.Join("; ", tasks.Select(FollowText.Of)));
     }
+
+    private FollowTask[] FollowingsOf(TargetTrack track) => track.Motion == TargetMotion.Standing
+        ? []
+        : data.Followings.Where(t => t.Class == track.Class && t.MarkerId == track.MarkerId).ToArray();
 
     private void WriteValidation(ValidationTask? found, TargetTrack track)
     {
         if (found is not { } task)
         {
             if (track.Motion == TargetMotion.Standing)
-                Fact("validation", "none was asked for");
+                page.Fact("validation", "none was asked for");
             else
                 WriteFollowing(track);
             return;
         }
 
-        Fact("found by", GroupColours.Name(task.Finder));
-        Fact("validated by", task.State == ValidationState.Closed
+        page.Fact("found by", GroupColours.Name(task.Finder));
+        page.Fact("validated by", task.State == ValidationState.Closed
             ? $"{GroupColours.Name(task.Validator)}: {task.Result.ToString().ToLowerInvariant()}"
             : task.Validator == 0 ? "none: no vehicle could" : GroupColours.Name(task.Validator) + ": not finished");
     }
 
-    private static (string State, string Kind) StateOf(ValidationTask? task, TargetTrack track) => task switch
+    // One that moves is lost once it is followed no longer: what counts is that it was.
+    private (string State, string Kind) StateOf(ValidationTask? task, TargetTrack track) => task switch
     {
         { State: ValidationState.Closed, Result: ValidationResult.Confirmed } => ("validated", "found"),
         { State: ValidationState.Closed, Result: ValidationResult.Rejected } => ("rejected", "false"),
+        null when FollowingsOf(track).Length > 0 => ("followed", "found"),
         null => (track.State == TrackState.Confirmed ? "found" : track.State.ToString().ToLowerInvariant(), "found"),
         _ => ("not validated", "found alone"),
     };
@@ -154,6 +151,4 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
         NedPosition ned = LocalNedFrame.IgnoringGeoid(a).ToNed(b);
         return Math.Sqrt((ned.North * ned.North) + (ned.East * ned.East));
     }
-
-    private void Fact(string name, string value) => page.Element("dt", name).Element("dd", value);
 }

@@ -14,16 +14,16 @@ internal sealed class ReportFacts(PageWriter page, FlightSummary data)
         page.Open("dl", "class", "facts");
         if (data.StartTime is { } start)
         {
-            Fact("date", start.ToString("yyyy-MM-dd, dddd", CultureInfo.InvariantCulture));
-            Fact("begin", TimeOfDay(start));
+            page.Fact("date", start.ToString("yyyy-MM-dd, dddd", CultureInfo.InvariantCulture));
+            page.Fact("begin", TimeOfDay(start));
         }
         else
         {
-            Fact("date", data.Seed is null ? "not known" : "simulated: no date and no time of day");
+            page.Fact("date", data.Seed is null ? "not known" : "simulated: no date and no time of day");
         }
 
-        Fact("aircraft", Aircraft(data.Record.Telemetry));
-        Fact("operator", data.OperatorName.Length > 0 ? data.OperatorName : "not named");
+        page.Fact("aircraft", Aircraft(data.Record.Telemetry));
+        page.Fact("operator", data.OperatorName.Length > 0 ? data.OperatorName : "not named");
         if (data.MissionFile.Length > 0)
             WriteMissionFile();
         page.Close();
@@ -56,6 +56,4 @@ internal sealed class ReportFacts(PageWriter page, FlightSummary data)
 
         page.Close();
     }
-
-    private void Fact(string name, string value) => page.Element("dt", name).Element("dd", value);
 }

@@ -28,7 +28,7 @@ internal sealed class ReportTables(PageWriter page, FlightSummary data)
             : events.Take(MaxEvents / 2).Concat(events.Skip(events.Length - (MaxEvents / 2))).ToArray();
         page.Open("section").Element("h2", "Decisions and events");
         page.Open("div", "class", "card scroll").Open("table", "class", "stacked");
-        Head("#time", "by", "what");
+        page.TableHead("#time", "by", "what");
         page.Open("tbody");
         foreach (FlightEvent e in shown)
             WriteEvent(e);
@@ -63,7 +63,7 @@ internal sealed class ReportTables(PageWriter page, FlightSummary data)
     {
         page.Open("section").Element("h2", "Health and faults");
         page.Open("div", "class", "card scroll").Open("table", "class", "stacked");
-        Head("#time", "level", "what", "asked for");
+        page.TableHead("#time", "level", "what", "asked for");
         page.Open("tbody");
         foreach (HealthChange change in data.Record.HealthChanges)
         {
@@ -82,7 +82,7 @@ internal sealed class ReportTables(PageWriter page, FlightSummary data)
     private void WriteManagers()
     {
         page.Open("section").Element("h2", "Managers").Open("div", "class", "card scroll").Open("table");
-        Head("manager", "#runs", "#work, mean ms", "#longest ms", "#total s", "#faults", "ended");
+        page.TableHead("manager", "#runs", "#work, mean ms", "#longest ms", "#total s", "#faults", "ended");
         page.Open("tbody");
         foreach (ManagerSummary manager in data.Managers)
         {
@@ -111,14 +111,14 @@ internal sealed class ReportTables(PageWriter page, FlightSummary data)
     {
         ImagingStatus imaging = data.Record.Imaging;
         page.Open("section").Element("h2", "Run").Open("div", "class", "card").Open("dl", "class", "run");
-        Fact("command line", data.CommandLine);
-        Fact("flown", data.Source);
+        page.Fact("command line", data.CommandLine);
+        page.Fact("flown", data.Source);
         if (data.Seed is { } seed)
-            Fact("seed", FlightText.Number(seed));
-        Fact("ended by", data.StopReason);
+            page.Fact("seed", FlightText.Number(seed));
+        page.Fact("ended by", data.StopReason);
         if (imaging.HasCamera)
         {
-            Fact(
+            page.Fact(
                 "camera",
                 $"{FlightText.Number(imaging.Frames)} pictures, {FlightText.Number(imaging.Observations)} searched, "
                 + $"{FlightText.Number(imaging.FramesRefused)} refused, "
@@ -135,17 +135,6 @@ internal sealed class ReportTables(PageWriter page, FlightSummary data)
         Enumerable.Range(1, (int)PictureQuality.MotionBlurred)
             .Select(q => (PictureQuality)q).Where(q => pictures.Of(q) > 0).OrderByDescending(q => pictures.Of(q))
             .Select(q => $", {FlightText.Number(pictures.Of(q))} {PictureQualityText.Of(q)}"));
-
-    private void Fact(string name, string value) => page.Element("dt", name).Element("dd", value);
-
-    // A # before the name: a column of numbers.
-    private void Head(params string[] names)
-    {
-        page.Open("thead").Open("tr");
-        foreach (string name in names)
-            page.Element("th", name.TrimStart('#'), "scope", "col", "class", name[0] == '#' ? "number" : string.Empty);
-        page.Close().Close();
-    }
 
     private static string Advice(HealthAdvice advice) => advice switch
     {

@@ -38,7 +38,7 @@ internal sealed class ReportTargets(PageWriter page, FlightSummary data)
 
     private void WriteMissed(TargetScore target)
     {
-        Begin("missed", target.Name, target.Class, "missed");
+        page.OpenTargetCard("missed", target.Name, target.Class, "missed");
         page.Element("p", "There is no confirmed track of this class within 10 m.", "class", "note");
         page.Open("dl");
         PlaceFacts("really at", target.Position);
@@ -47,7 +47,7 @@ internal sealed class ReportTargets(PageWriter page, FlightSummary data)
 
     private void WriteTarget(TargetScore target, TargetTrack track)
     {
-        Begin("found", FlightText.Number(track.Id), track.Class, "found");
+        page.OpenTargetCard("found", FlightText.Number(track.Id), track.Class, "found");
         WritePictures(track, target);
         page.Open("dl");
         Fact("is", target.Name);
@@ -64,20 +64,12 @@ internal sealed class ReportTargets(PageWriter page, FlightSummary data)
     private void WriteTrackAlone(TargetTrack track, bool isFalse)
     {
         string state = isFalse ? "false" : track.State.ToString().ToLowerInvariant();
-        Begin(isFalse ? "false" : "found", FlightText.Number(track.Id), track.Class, state);
+        page.OpenTargetCard(isFalse ? "false" : "found", FlightText.Number(track.Id), track.Class, state);
         WritePictures(track, null);
         page.Open("dl");
         Fact("95 % ellipse", $"{Ellipse(track)} m");
         TrackFacts(track);
         page.Close().Close();
-    }
-
-    private void Begin(string kind, string name, TargetClassName targetClass, string state)
-    {
-        page.Open("article", "class", "card target " + kind).Open("h3");
-        page.Element("i", string.Empty, "class", "swatch", "style", "background:" + TargetClassNames.Css(targetClass));
-        page.Text(name + " ").Element("small", TargetClassNames.Name(targetClass))
-            .Element("b", state, "class", "state").Close();
     }
 
     private void TrackFacts(TargetTrack track)

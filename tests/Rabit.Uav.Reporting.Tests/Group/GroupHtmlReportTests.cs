@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Xml.Linq;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 using Xunit;
 
@@ -79,6 +80,38 @@ public sealed class GroupHtmlReportTests
         Assert.Equal(
             "javascript%3Aalert%281%29/%22%3E%3Cscript%3E",
             page.Descendants(Html + "a").Single().Attribute("href")!.Value.Replace("(", "%28").Replace(")", "%29"));
+    }
+
+    [Theory]
+    [InlineData(true, "followed")]
+    [InlineData(false, "lost")]
+    public void Write_TargetThatMovedAndIsGone_IsMarkedByWhatBecameOfIt(bool wasFollowed, string state)
+    {
+        var track = new TargetTrack
+        {
+            Id = 1,
+            State = TrackState.Lost,
+            Class = DefaultTargetClasses.Red,
+            Motion = TargetMotion.Vehicle,
+            Position = GeodeticPosition.FromDegrees(47, 8, 0),
+        };
+        var task = new FollowTask
+        {
+            Finder = 1,
+            Class = wasFollowed ? track.Class : DefaultTargetClasses.Blue,
+            Follower = 2,
+            State = FollowState.Closed,
+            Result = FollowResult.Followed,
+        };
+        var record = new FlightRecord
+        {
+            Tracks = new TrackList(TimeSpan.Zero, [track]),
+            Group = new GroupStatus { Followings = [task] },
+        };
+
+        XDocument page = Page(new GroupFlightSummary([new GroupVehicleSummary(1, new FlightSummary(record))]));
+
+        Assert.Equal(state, Assert.Single(page.Descendants(Html + "b"), b => ClassOf(b) == "state").Value);
     }
 
     [Fact]
