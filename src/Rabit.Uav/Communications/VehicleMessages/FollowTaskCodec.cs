@@ -22,7 +22,6 @@ public sealed class FollowTaskCodec : IVehicleMessageCodec<FollowTask>
     private const double MaxRadiusMetres = 650;
     private const double MaxSpeed = 300;
     private const double MaxAgeMs = (1 << 24) - 1;
-    private const double DegE7PerRadian = 1e7 / Angle.RadiansPerDegree;
 
     /// <summary>10.</summary>
     public int MessageType => 10;
@@ -90,10 +89,7 @@ public sealed class FollowTaskCodec : IVehicleMessageCodec<FollowTask>
 
     private static void WritePlace(Span<byte> destination, in FollowTask task)
     {
-        BinaryPrimitives.WriteInt32LittleEndian(
-            destination, (int)Math.Round(task.Position.Latitude.Radians * DegE7PerRadian));
-        BinaryPrimitives.WriteInt32LittleEndian(
-            destination.Slice(4), (int)Math.Round(task.Position.Longitude.Radians * DegE7PerRadian));
+        PlaceBytes.Write(destination, task.Position);
         BinaryPrimitives.WriteInt16LittleEndian(
             destination.Slice(8), (short)Math.Round(task.VelocityNed.North * 100));
         BinaryPrimitives.WriteInt16LittleEndian(
@@ -104,9 +100,7 @@ public sealed class FollowTaskCodec : IVehicleMessageCodec<FollowTask>
 
     private static void ReadPlace(ReadOnlySpan<byte> source, ref FollowTask task)
     {
-        task.Position = GeodeticPosition.FromRadians(
-            BinaryPrimitives.ReadInt32LittleEndian(source) / DegE7PerRadian,
-            BinaryPrimitives.ReadInt32LittleEndian(source.Slice(4)) / DegE7PerRadian, 0);
+        task.Position = PlaceBytes.Read(source);
         task.VelocityNed = new NedVector(
             BinaryPrimitives.ReadInt16LittleEndian(source.Slice(8)) / 100.0,
             BinaryPrimitives.ReadInt16LittleEndian(source.Slice(10)) / 100.0, 0);
@@ -130,8 +124,7 @@ public sealed class FollowTaskCodec : IVehicleMessageCodec<FollowTask>
             && (task.State != FollowState.Awarded || task.Follower != 0)
             && task.State == FollowState.Closed == (task.Result != FollowResult.None)
             && task.Finder != 0 && task.Decider != 0 && task.Decision != 0
-            && Math.Abs(task.Position.Latitude.Radians) <= Math.PI / 2
-            && Math.Abs(task.Position.Longitude.Radians) <= Math.PI + 1e-9
+            && PlaceBytes.IsInRange(task.Position)
             && Math.Abs(task.VelocityNed.North) <= MaxSpeed
             && Math.Abs(task.VelocityNed.East) <= MaxSpeed
             && task.RadiusMetres is >= 0 and <= MaxRadiusMetres

@@ -19,7 +19,6 @@ public sealed class GroupReportCodec : IVehicleMessageCodec<GroupReport>
     public const int Length = 42;
 
     private const double MaxAltitudeMetres = 20_000;
-    private const double DegE7PerRadian = 1e7 / Angle.RadiansPerDegree;
 
     /// <summary>2.</summary>
     public int MessageType => 2;
@@ -85,8 +84,7 @@ public sealed class GroupReportCodec : IVehicleMessageCodec<GroupReport>
             && report.MetresLeft >= 0;
 
     private static bool IsPlace(GeodeticPosition place)
-        => Math.Abs(place.Latitude.Radians) <= Math.PI / 2
-            && Math.Abs(place.Longitude.Radians) <= Math.PI + 1e-9
+        => PlaceBytes.IsInRange(place)
             && Math.Abs(place.AltitudeAmslMetres) <= MaxAltitudeMetres
             && !(Math.Abs(place.Latitude.Radians) < 1e-8 && Math.Abs(place.Longitude.Radians) < 1e-8);
 
@@ -94,16 +92,11 @@ public sealed class GroupReportCodec : IVehicleMessageCodec<GroupReport>
 
     private static void Write(Span<byte> destination, GeodeticPosition place)
     {
+        PlaceBytes.Write(destination, place);
         BinaryPrimitives.WriteInt32LittleEndian(
-            destination, (int)Math.Round(place.Latitude.Radians * DegE7PerRadian));
-        BinaryPrimitives.WriteInt32LittleEndian(
-            destination.Slice(4), (int)Math.Round(place.Longitude.Radians * DegE7PerRadian));
-        BinaryPrimitives.WriteInt32LittleEndian(
-            destination.Slice(8), (int)Math.Round(place.AltitudeAmslMetres * 100));
+            destination.Slice(PlaceBytes.Length), (int)Math.Round(place.AltitudeAmslMetres * 100));
     }
 
-    private static GeodeticPosition Read(ReadOnlySpan<byte> source) => GeodeticPosition.FromRadians(
-        BinaryPrimitives.ReadInt32LittleEndian(source) / DegE7PerRadian,
-        BinaryPrimitives.ReadInt32LittleEndian(source.Slice(4)) / DegE7PerRadian,
-        BinaryPrimitives.ReadInt32LittleEndian(source.Slice(8)) / 100.0);
+    private static GeodeticPosition Read(ReadOnlySpan<byte> source)
+        => PlaceBytes.Read(source, BinaryPrimitives.ReadInt32LittleEndian(source.Slice(PlaceBytes.Length)) / 100.0);
 }

@@ -66,10 +66,7 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
         destination[3] = (byte)Math.Round(content.Score * byte.MaxValue);
         BinaryPrimitives.WriteUInt32LittleEndian(destination.Slice(4), unchecked((uint)content.PictureNumber));
         BinaryPrimitives.WriteUInt32LittleEndian(destination.Slice(8), (uint)Math.Max(0, ageMs));
-        BinaryPrimitives.WriteInt32LittleEndian(
-            destination.Slice(12), (int)Math.Round(content.Position.Latitude.Radians * DegE7PerRadian));
-        BinaryPrimitives.WriteInt32LittleEndian(
-            destination.Slice(16), (int)Math.Round(content.Position.Longitude.Radians * DegE7PerRadian));
+        PlaceBytes.Write(destination.Slice(12), content.Position);
         BinaryPrimitives.WriteInt32LittleEndian(
             destination.Slice(20), (int)Math.Round(content.Position.AltitudeAmslMetres * 1000));
         Write(destination.Slice(24), content.Covariance);
@@ -92,9 +89,6 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
             || !TargetClassName.TryRead(bytes.Slice(NameOffset), out TargetClassName targetClass))
             return false;
         uint ageMs = BinaryPrimitives.ReadUInt32LittleEndian(bytes.Slice(8));
-        int latitude = BinaryPrimitives.ReadInt32LittleEndian(bytes.Slice(12));
-        int longitude = BinaryPrimitives.ReadInt32LittleEndian(bytes.Slice(16));
-        int altitude = BinaryPrimitives.ReadInt32LittleEndian(bytes.Slice(20));
         ushort marker = BinaryPrimitives.ReadUInt16LittleEndian(bytes.Slice(58));
         if (ageMs > MaxAgeMs)
             return false;
@@ -105,8 +99,8 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
             PictureNumber = BinaryPrimitives.ReadUInt32LittleEndian(bytes.Slice(4)),
             Index = bytes[2],
             Time = sentTime - TimeSpan.FromMilliseconds(ageMs),
-            Position = GeodeticPosition.FromRadians(
-                latitude / DegE7PerRadian, longitude / DegE7PerRadian, altitude / 1000.0),
+            Position = PlaceBytes.Read(
+                bytes.Slice(12), BinaryPrimitives.ReadInt32LittleEndian(bytes.Slice(20)) / 1000.0),
             Covariance = ReadCovariance(bytes.Slice(24)),
             SystematicCovariance = ReadCovariance(bytes.Slice(36)),
             Class = targetClass,

@@ -18,7 +18,6 @@ public sealed class ValidationTaskCodec : IVehicleMessageCodec<ValidationTask>
     private const int NameOffset = 22;
     private const ushort NoMarker = ushort.MaxValue;
     private const double MaxRadiusMetres = 650;
-    private const double DegE7PerRadian = 1e7 / Angle.RadiansPerDegree;
 
     /// <summary>3.</summary>
     public int MessageType => 3;
@@ -40,10 +39,7 @@ public sealed class ValidationTaskCodec : IVehicleMessageCodec<ValidationTask>
         BinaryPrimitives.WriteUInt16LittleEndian(destination.Slice(6), content.Award);
         destination[8] = content.Validator;
         destination[9] = (byte)content.Class.Length;
-        BinaryPrimitives.WriteInt32LittleEndian(
-            destination.Slice(10), (int)Math.Round(content.Position.Latitude.Radians * DegE7PerRadian));
-        BinaryPrimitives.WriteInt32LittleEndian(
-            destination.Slice(14), (int)Math.Round(content.Position.Longitude.Radians * DegE7PerRadian));
+        PlaceBytes.Write(destination.Slice(10), content.Position);
         BinaryPrimitives.WriteUInt16LittleEndian(
             destination.Slice(18), (ushort)Math.Round(content.RadiusMetres * 100));
         BinaryPrimitives.WriteUInt16LittleEndian(destination.Slice(20), (ushort)(content.MarkerId ?? NoMarker));
@@ -70,9 +66,7 @@ public sealed class ValidationTaskCodec : IVehicleMessageCodec<ValidationTask>
             Result = (ValidationResult)bytes[5],
             Award = BinaryPrimitives.ReadUInt16LittleEndian(bytes.Slice(6)),
             Validator = bytes[8],
-            Position = GeodeticPosition.FromRadians(
-                BinaryPrimitives.ReadInt32LittleEndian(bytes.Slice(10)) / DegE7PerRadian,
-                BinaryPrimitives.ReadInt32LittleEndian(bytes.Slice(14)) / DegE7PerRadian, 0),
+            Position = PlaceBytes.Read(bytes.Slice(10)),
             RadiusMetres = BinaryPrimitives.ReadUInt16LittleEndian(bytes.Slice(18)) / 100.0,
             MarkerId = marker == NoMarker ? null : marker,
             Class = name,
@@ -88,8 +82,7 @@ public sealed class ValidationTaskCodec : IVehicleMessageCodec<ValidationTask>
         => task.State is >= ValidationState.Open and <= ValidationState.Closed
             && task.Result is >= ValidationResult.Unknown and <= ValidationResult.Rejected
             && (task.State != ValidationState.Awarded || (task.Validator != 0 && task.Award != 0))
-            && Math.Abs(task.Position.Latitude.Radians) <= Math.PI / 2
-            && Math.Abs(task.Position.Longitude.Radians) <= Math.PI + 1e-9
+            && PlaceBytes.IsInRange(task.Position)
             && task.RadiusMetres is >= 0 and <= MaxRadiusMetres
             && task.MarkerId is null or (>= 0 and < NoMarker)
             && !task.Class.IsNone;

@@ -7,16 +7,11 @@ namespace Rabit.Uav.ImageProcessing.Quality;
 /// a thumbnail that two pictures are compared by. Fixed memory, no allocation; for one thread.
 /// </summary>
 /// <remarks>
-/// The grid has a pixel in 64 or fewer, and no more than <see cref="MaxColumns"/> x <see cref="MaxRows"/>: its cost
-/// stays a small part of that of any detector, which reads every pixel. Differences are those of green, which is most
-/// of luma.
+/// The grid is that of the thumbnail: its cost stays a small part of that of any detector, which reads every pixel.
+/// Differences are those of green, which is most of luma.
 /// </remarks>
 internal sealed class PictureMeter
 {
-    public const int MaxColumns = 64;
-    public const int MaxRows = 48;
-
-    private const int MinStep = 8;
     private const int CoarseLag = 8;
     private const int TilesPerRow = 8;
     private const int TilesPerColumn = 6;
@@ -33,11 +28,10 @@ internal sealed class PictureMeter
 
     private readonly int[] _histogram = new int[256];
     private readonly TileSum[] _tiles = new TileSum[TilesPerRow * TilesPerColumn];
-    private byte[] _thumbnail = new byte[MaxColumns * MaxRows];
-    private byte[] _reference = new byte[MaxColumns * MaxRows];
-    private int _count;
-    private int _referenceCount;
+    private readonly ComparedThumbnail _thumbnail = new();
     private Sums _sums;
+
+    private int Pixels => _thumbnail.Count;
 
     /// <summary>Measures a picture; its thumbnail stays until the next one.</summary>
     /// <param name="pixels">Red, green and blue, row by row; at least width x height x 3 bytes.</param>
@@ -47,9 +41,9 @@ internal sealed class PictureMeter
     {
         Array.Clear(_histogram, 0, _histogram.Length);
         Array.Clear(_tiles, 0, _tiles.Length);
-        (_sums, _count) = (default, 0);
-        int step = Math.Max(
-            MinStep, Math.Max((width + MaxColumns - 1) / MaxColumns, (height + MaxRows - 1) / MaxRows));
+        _sums = default;
+        _thumbnail.Clear();
+        int step = ComparedThumbnail.StepFor(width, height);
         int lag = Math.Min(CoarseLag, Math.Min(width, height) / 4);
         for (int row = 1; row + lag < height && row + 1 < height; row += step)
             MeasureRow(pixels, width, height, row, step, lag);
@@ -57,29 +51,10 @@ internal sealed class PictureMeter
     }
 
     /// <summary>Takes the picture that was measured last as the one that later ones are compared with.</summary>
-    public void KeepAsReference()
-    {
-        (_thumbnail, _reference) = (_reference, _thumbnail);
-        _referenceCount = _count;
-    }
+    public void KeepAsReference() => _thumbnail.KeepAsReference();
 
-    /// <summary>
-    /// Mean square of the difference between the picture that was measured last and the reference, square levels;
-    /// infinite where there is none of its size.
-    /// </summary>
-    public double DifferenceFromReference()
-    {
-        if (_count == 0 || _count != _referenceCount)
-            return double.PositiveInfinity;
-        long sum = 0;
-        for (int i = 0; i < _count; i++)
-        {
-            int difference = _thumbnail[i] - _reference[i];
-            sum += difference * difference;
-        }
-
-        return sum / (double)_count;
-    }
+    /// <inheritdoc cref="ComparedThumbnail.DifferenceFromReference"/>
+    public double DifferenceFromReference() => _thumbnail.DifferenceFromReference();
 
     private void MeasureRow(byte[] pixels, int width, int height, int row, int step, int lag)
     {
@@ -92,7 +67,7 @@ internal sealed class PictureMeter
             int green = pixels[at + 1];
             int luma = (pixels[at] + (2 * green) + pixels[at + 2] + 2) >> 2;
             _histogram[luma]++;
-            _thumbnail[_count++] = (byte)luma;
+            _thumbnail.Add(luma);
             int left = pixels[at - 2];
             int right = pixels[at + 4];
             int above = pixels[at + 1 - stride];
@@ -116,12 +91,12 @@ internal sealed class PictureMeter
 
     private PictureStatistics ToStatistics()
     {
-        if (_count == 0)
+        if (Pixels == 0)
             return default;
-        double neighbours = _sums.Neighbours / (4.0 * _count);
-        double xx = _sums.XX / (double)_count;
-        double yy = _sums.YY / (double)_count;
-        double xy = _sums.XY / (double)_count;
+        double neighbours = _sums.Neighbours / (4.0 * Pixels);
+        double xx = _sums.XX / (double)Pixels;
+        double yy = _sums.YY / (double)Pixels;
+        double xy = _sums.XY / (double)Pixels;
         return new PictureStatistics
         {
             DarkLevel = Level(0.05),
@@ -129,7 +104,7 @@ internal sealed class PictureMeter
             ClippedShare = ShareFrom(ClippedLevel),
             NeighbourDifference = neighbours,
             FineDetail = Math.Max(0, ((xx + yy) / 2) - neighbours),
-            CoarseDetail = Math.Max(0, (_sums.Coarse / (2.0 * _count)) - neighbours),
+            CoarseDetail = Math.Max(0, (_sums.Coarse / (2.0 * Pixels)) - neighbours),
             DirectedDetail = Math.Sqrt(((xx - yy) * (xx - yy)) + (4 * xy * xy)),
             FlatShare = FlatShare(),
         };
@@ -138,7 +113,7 @@ internal sealed class PictureMeter
     private int Level(double part)
     {
         int level = 0;
-        for (int below = _histogram[0]; below < part * _count && level < 255;)
+        for (int below = _histogram[0]; below < part * Pixels && level < 255;)
             below += _histogram[++level];
         return level;
     }
@@ -148,7 +123,7 @@ internal sealed class PictureMeter
         int sum = 0;
         for (; level < _histogram.Length; level++)
             sum += _histogram[level];
-        return sum / (double)_count;
+        return sum / (double)Pixels;
     }
 
     private double FlatShare()

@@ -8,14 +8,9 @@ namespace Rabit.Uav.ImageProcessing.Quality;
 /// </summary>
 internal sealed class ThermalMeter
 {
-    private const int MinStep = 8;
     private const int CoarseLag = 8;
-    private const int MaxPixels = PictureMeter.MaxColumns * PictureMeter.MaxRows;
 
-    private ushort[] _thumbnail = new ushort[MaxPixels];
-    private ushort[] _reference = new ushort[MaxPixels];
-    private int _count;
-    private int _referenceCount;
+    private readonly ComparedThumbnail _thumbnail = new();
 
     /// <summary>Mean square of the difference of neighbours, square counts: noise for the most part.</summary>
     public double NeighbourDifference { get; private set; }
@@ -38,51 +33,34 @@ internal sealed class ThermalMeter
     /// <param name="height">Rows.</param>
     public void Measure(ReadOnlySpan<ushort> counts, int width, int height)
     {
-        int step = Math.Max(
-            MinStep,
-            Math.Max(
-                (width + PictureMeter.MaxColumns - 1) / PictureMeter.MaxColumns,
-                (height + PictureMeter.MaxRows - 1) / PictureMeter.MaxRows));
+        int step = ComparedThumbnail.StepFor(width, height);
         int lag = Math.Min(CoarseLag, Math.Min(width, height) / 4);
         (double near, double far) = (0, 0);
-        (_count, Coldest, Warmest) = (0, ushort.MaxValue, 0);
+        (Coldest, Warmest) = (ushort.MaxValue, 0);
+        _thumbnail.Clear();
         for (int row = 1; row + lag < height && row + 1 < height; row += step)
         {
             for (int column = 1; column + lag < width && column + 1 < width; column += step)
             {
                 int at = (row * width) + column;
                 int count = counts[at];
-                _thumbnail[_count++] = (ushort)count;
+                _thumbnail.Add(count);
                 (Coldest, Warmest) = (Math.Min(Coldest, count), Math.Max(Warmest, count));
                 near += Square(counts[at + 1] - count) + Square(counts[at + width] - count);
                 far += Square(counts[at + lag] - count) + Square(counts[at + (lag * width)] - count);
             }
         }
 
-        NeighbourDifference = _count == 0 ? 0 : near / (2 * _count);
-        CoarseDetail = _count == 0 ? 0 : Math.Max(0, (far / (2 * _count)) - NeighbourDifference);
+        int pixels = Math.Max(1, _thumbnail.Count);
+        NeighbourDifference = near / (2 * pixels);
+        CoarseDetail = Math.Max(0, (far / (2 * pixels)) - NeighbourDifference);
     }
 
     /// <summary>Takes the picture that was measured last as the one that later ones are compared with.</summary>
-    public void KeepAsReference()
-    {
-        (_thumbnail, _reference) = (_reference, _thumbnail);
-        _referenceCount = _count;
-    }
+    public void KeepAsReference() => _thumbnail.KeepAsReference();
 
-    /// <summary>
-    /// Mean square of the difference between the picture that was measured last and the reference, square counts;
-    /// infinite where there is none of its size.
-    /// </summary>
-    public double DifferenceFromReference()
-    {
-        if (_count == 0 || _count != _referenceCount)
-            return double.PositiveInfinity;
-        double sum = 0;
-        for (int i = 0; i < _count; i++)
-            sum += Square(_thumbnail[i] - _reference[i]);
-        return sum / _count;
-    }
+    /// <inheritdoc cref="ComparedThumbnail.DifferenceFromReference"/>
+    public double DifferenceFromReference() => _thumbnail.DifferenceFromReference();
 
     private static double Square(double value) => value * value;
 }
