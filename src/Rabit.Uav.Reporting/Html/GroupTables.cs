@@ -15,7 +15,8 @@ internal sealed class GroupTables(PageWriter page, GroupFlightSummary data)
     public void WriteVehicles()
     {
         page.Open("section").Element("h2", "Vehicles").Open("div", "class", "card scroll").Open("table");
-        page.TableHead("vehicle", "ended", "#lanes", "#flown m", "#time", "#battery", "#found", "#validated", "#radio kbit/s",
+        page.TableHead(
+            "vehicle", "ended", "#lanes", "#flown m", "#time", "#battery", "#found", "#validated", "#radio kbit/s",
             "#lost", "report");
         page.Open("tbody");
         for (int i = 0; i < data.Vehicles.Count; i++)

@@ -11,35 +11,17 @@ namespace Rabit.Uav.Tests.MissionControl.Group;
 /// Finders and bidders of some vehicles, and a network that loses, delays and doubles what they send. Vehicle 1 finds
 /// the targets.
 /// </summary>
-internal sealed class ValidationNetwork
+internal sealed class ValidationNetwork : LossyNetwork<ValidationNetwork.Node>
 {
-    private const double Step = 0.1;
-
-    private readonly List<Node> _nodes = [];
-    private readonly List<(double Due, int To, Action<Node> Deliver)> _onTheWay = [];
-    private readonly Random _random;
-
     public ValidationNetwork(int vehicles, int seed)
+        : base(seed)
     {
-        (Seed, _random) = (seed, new Random(seed));
         for (int i = 0; i < vehicles; i++)
-            _nodes.Add(new Node(this, i, session: 1));
+            Nodes.Add(new Node(this, i, session: 1));
     }
-
-    public int Seed { get; }
-
-    public double Seconds { get; private set; }
-
-    public double Loss { get; set; }
 
     /// <summary>How long a target is flown over.</summary>
     public double JobSeconds { get; set; } = 20;
-
-    public double MaxDelaySeconds { get; set; } = 0.1;
-
-    public double Duplicates { get; set; }
-
-    public Func<int, int, bool> Reaches { get; set; } = (_, _) => true;
 
     /// <summary>How long each vehicle says it takes to get there; null where it declines.</summary>
     public Func<int, double?> SecondsTo { get; set; } = i => 10 + i;
@@ -47,30 +29,25 @@ internal sealed class ValidationNetwork
     /// <summary>What a vehicle's pictures show.</summary>
     public ValidationResult Shown { get; set; } = ValidationResult.Confirmed;
 
-    public HashSet<int> Lost { get; } = [];
-
-    /// <summary>How many messages were sent.</summary>
-    public int Sent { get; private set; }
-
     /// <summary>Who has finished, in order.</summary>
     public List<int> Finished { get; } = [];
 
-    public ValidationTask Task => _nodes[0].Finder.Find(1)!.Value;
+    public ValidationTask Task => Nodes[0].Finder.Find(1)!.Value;
 
-    public ValidationFinder Finder => _nodes[0].Finder;
+    public ValidationFinder Finder => Nodes[0].Finder;
 
-    public ValidationBidder BidderOf(int vehicle) => _nodes[vehicle].Bidder;
+    public ValidationBidder BidderOf(int vehicle) => Nodes[vehicle].Bidder;
 
     /// <summary>The vehicles that are underway to the first target.</summary>
-    public int[] Underway => Enumerable.Range(0, _nodes.Count)
-        .Where(i => !Lost.Contains(i) && _nodes[i].Bidder.Tasks.Any(t => t.Number == 1 && _nodes[i].Bidder.IsOurs(t)))
+    public int[] Underway => Alive()
+        .Where(i => Nodes[i].Bidder.Tasks.Any(t => t.Number == 1 && Nodes[i].Bidder.IsOurs(t)))
         .ToArray();
 
     public void Announce(int targets = 1)
     {
         for (int i = 1; i <= targets; i++)
         {
-            _nodes[0].Finder.Announce(i, new ValidationTask
+            Nodes[0].Finder.Announce(i, new ValidationTask
             {
                 Class = DefaultTargetClasses.Red,
                 Position = GeodeticPosition.FromDegrees(47.4 + (i * 0.001), 8.5, 0),
@@ -80,54 +57,13 @@ internal sealed class ValidationNetwork
     }
 
     /// <summary>A vehicle starts again, and has forgotten all.</summary>
-    public void Restart(int vehicle) => _nodes[vehicle] = new Node(this, vehicle, session: 2);
+    public void Restart(int vehicle) => Nodes[vehicle] = new Node(this, vehicle, session: 2);
 
-    public void Run(double seconds) => RunUntil(() => false, seconds);
+    protected override void Update(Node node) => node.Update();
 
-    public bool RunUntil(Func<bool> condition, double maxSeconds)
-    {
-        for (double end = Seconds + maxSeconds; Seconds < end;)
-        {
-            if (condition())
-                return true;
-            Seconds += Step;
-            (double Due, int To, Action<Node> Deliver)[] arrived = _onTheWay.Where(m => m.Due <= Seconds).ToArray();
-            foreach ((double Due, int To, Action<Node> Deliver) message in arrived)
-            {
-                _onTheWay.Remove(message);
-                if (!Lost.Contains(message.To))
-                    message.Deliver(_nodes[message.To]);
-            }
+    private byte[] PresentFor(int vehicle) => ReceivedBy(vehicle).Select(i => (byte)(i + 1)).ToArray();
 
-            for (int i = 0; i < _nodes.Count; i++)
-            {
-                if (!Lost.Contains(i))
-                    _nodes[i].Update();
-            }
-        }
-
-        return condition();
-    }
-
-    private byte[] PresentFor(int vehicle) => Enumerable.Range(0, _nodes.Count)
-        .Where(i => i != vehicle && !Lost.Contains(i) && Reaches(i, vehicle)).Select(i => (byte)(i + 1)).ToArray();
-
-    private void Send(int from, int? to, Action<Node> deliver)
-    {
-        Sent++;
-        for (int i = 0; i < _nodes.Count; i++)
-        {
-            if (i == from || (to is not null && to != i) || !Reaches(from, i))
-                continue;
-            for (int copies = _random.NextDouble() < Duplicates ? 2 : 1; copies > 0; copies--)
-            {
-                if (_random.NextDouble() >= Loss)
-                    _onTheWay.Add((Seconds + (_random.NextDouble() * MaxDelaySeconds), i, deliver));
-            }
-        }
-    }
-
-    private sealed class Node : IValidationSender
+    internal sealed class Node : IValidationSender
     {
         private readonly ValidationNetwork _network;
         private readonly int _number;
