@@ -1,12 +1,15 @@
 #!/usr/bin/env bash
 # Rabit under Mono: builds tests, samples and the tool for net472 (into artifacts-mono/), runs every test project but the longer
-# tests, and compares what the samples and the tool print with what they print under .NET.
+# tests, several projects at a time, and compares what the samples and the tool print with what they print under .NET.
 # Ends with one line, "N passed, N failed": each test and each comparison counts as one.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 # Recorded flights (tests/data/mavlink/NAME.tlog) that UavConsole replays on both runtimes, to the same summary.
 flights=(ardupilot-flight px4-flight)
+
+# The test projects that run longest.
+longest=(Rabit.Uav.Tests Rabit.Uav.Simulation.Tests UavConsole.Tests Rabit.Core.Tests)
 
 results=artifacts-mono/results
 passed=0
@@ -44,13 +47,16 @@ property() {
 # Runs a test project with xunit's console runner and adds up its result file. The runner is put beside the tests, so that
 # the base directory is theirs, and needs no second application domain, whose end would wait for every thread.
 run_tests() {
-    local project=$1 name file assembly total ok
-    name=$(basename "$project" .csproj)
-    file=$results/$name.xml
-    assembly=$(property "$project" TargetPath)
-    cp "$(dirname "$(property "$project" XunitConsole472Path)")"/xunit.* "$(dirname "$assembly")"
-    mono "$(dirname "$assembly")/xunit.console.exe" "$assembly" -noappdomain -nologo -notrait Category=Long -xml "$file" || true
+    local name=$1 assembly=artifacts-mono/bin/$1/debug/$1.dll
+    cp "$xunit_folder"/xunit.* "$(dirname "$assembly")"
+    mono "$(dirname "$assembly")/xunit.console.exe" "$assembly" \
+        -noappdomain -nologo -notrait Category=Long -xml "$results/$name.xml" > "$results/$name.txt" 2>&1 || true
+}
 
+# Adds up the result file of a test project. One that ran no test has failed.
+count_tests() {
+    local name=$1 file=$results/$1.xml total ok
+    cat "$results/$name.txt"
     total=$(attribute "$file" total)
     ok=$(attribute "$file" passed)
     if [ $((total - $(attribute "$file" skipped))) -le 0 ]; then
@@ -124,16 +130,32 @@ latencies_work() {
     mono artifacts-mono/bin/Rabit.Latency/release/Rabit.Latency.exe --quick > "$results/latency.txt"
 }
 
+built=()
 for project in tests/*/*.csproj; do
     # The tests of the documents need a compiler, which runs on .NET only.
     if [ "$(property "$project" RabitRunsOnMono)" = false ]; then
         continue
     fi
     if build_for_mono "$project"; then
-        run_tests "$project"
+        built+=("$(basename "$project" .csproj)")
+        xunit_folder=$(dirname "$(property "$project" XunitConsole472Path)")
     else
         check "build of $project" false
     fi
+done
+
+# As many at a time as there are processors, the longest first: by itself one leaves a processor idle much of the time.
+for name in $(printf '%s\n' "${longest[@]}" "${built[@]}" | awk '!seen[$0]++'); do
+    if [[ " ${built[*]} " == *" $name "* ]]; then
+        while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do
+            wait -n || true
+        done
+        run_tests "$name" &
+    fi
+done
+wait
+for name in "${built[@]}"; do
+    count_tests "$name"
 done
 
 for project in samples/*/*.csproj src/Rabit.Tool/Rabit.Tool.csproj; do

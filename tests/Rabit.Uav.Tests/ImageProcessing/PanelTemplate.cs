@@ -1,19 +1,26 @@
 using System;
 using System.Collections.Generic;
 using System.Collections.Immutable;
+using System.IO;
 using Rabit.Uav.Messages;
+using Rabit.Tests.Shared;
 using Rabit.Vision;
 
 namespace Rabit.Uav.Tests.ImageProcessing;
 
-/// <summary>A template of the red panels that tests paint, made once, and the classes of a detector for it.</summary>
+/// <summary>
+/// The template of the red panels that tests paint (tests/data/detection/red-panel.template), and the classes of a
+/// detector for it. A training takes half a minute: <see cref="PanelTemplateTests"/> shows that it still gives this file.
+/// </summary>
 internal static class PanelTemplate
 {
     public const double PixelsPerMetre = 13;
 
-    private static readonly Lazy<ObjectTemplate> Trained = new(Train);
+    private static readonly Lazy<ObjectTemplate> Kept = new(() => ObjectTemplate.Load(FilePath));
 
-    public static ObjectTemplate Red => Trained.Value;
+    public static string FilePath => Path.Combine(Repository.Root, "tests", "data", "detection", "red-panel.template");
+
+    public static ObjectTemplate Red => Kept.Value;
 
     public static ImmutableArray<TargetClass> Classes =>
         [new TargetClass(DefaultTargetClasses.Red.ToString()) { Template = Red }];
@@ -33,7 +40,7 @@ internal static class PanelTemplate
         return picture;
     }
 
-    private static ObjectTemplate Train()
+    public static ObjectTemplate Train()
     {
         var trainer = new TemplateTrainer(new TemplateTrainingOptions
         {
