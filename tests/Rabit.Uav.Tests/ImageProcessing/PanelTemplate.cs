@@ -10,7 +10,8 @@ namespace Rabit.Uav.Tests.ImageProcessing;
 
 /// <summary>
 /// The template of the red panels that tests paint (tests/data/detection/red-panel.template), and the classes of a
-/// detector for it. A training takes half a minute: <see cref="PanelTemplateTests"/> shows that it still gives this file.
+/// detector for it. A training takes half a minute: <see cref="PanelTemplateTests"/> shows that it still gives
+/// this file.
 /// </summary>
 internal static class PanelTemplate
 {

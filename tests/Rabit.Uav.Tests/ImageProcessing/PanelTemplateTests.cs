@@ -7,7 +7,7 @@ using Xunit;
 namespace Rabit.Uav.Tests.ImageProcessing;
 
 /// <summary>
-/// The template that tests load is what a training gives. RABIT_UPDATE_TEMPLATE=1 writes it anew.
+/// The template that tests load is what a training gives. RABIT_UPDATE_TEMPLATE=1 writes it again.
 /// </summary>
 public sealed class PanelTemplateTests
 {
