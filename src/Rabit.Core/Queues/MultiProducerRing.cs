@@ -55,7 +55,7 @@ internal sealed class MultiProducerRing<T, TSync> : MessageQueue<T, TSync>
         _slots = new Slot[size];
         for (int i = 0; i < size; i++)
             SlotAt(unchecked(start + i)).Sequence = unchecked(start + i);
-        _state = new RingPositions(start);
+        _state = new RingPositions(start, isAlone: false);
     }
 
     public override int Count => Counters.Resident;

@@ -111,7 +111,8 @@ internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, st
         EndpointOwner[] senders = endpoints.Where(e => e.Role == EndpointRole.Send).Select(e => e.Owner)
             .Distinct().ToArray();
         return senders.Length == 1 && !senders[0].IsOutside
-            ? new SingleProducerRing<T, SyncPoints>(Name, receiver.Capacity, wakeUp)
+            ? new SingleProducerRing<T, SyncPoints>(
+                Name, receiver.Capacity, wakeUp, isOwn: senders[0] == receiver.Owner)
             : new MultiProducerRing<T, SyncPoints>(Name, receiver.Capacity, wakeUp);
     }
 

@@ -13,7 +13,7 @@ namespace Rabit.Core.Queues;
 /// false sharing.
 /// </summary>
 [StructLayout(LayoutKind.Explicit, Size = 5 * Apart)]
-internal struct RingPositions
+internal partial struct RingPositions
 {
     private const int Apart = 128;
     private const int Closed = int.MinValue;
@@ -23,8 +23,9 @@ internal struct RingPositions
     private const int OutOfReach = int.MinValue;
     private const int Distance = int.MaxValue;
 
-    // Where the next value goes; once the queue is closed, OutOfReach further on. Moved by senders and by the thread
-    // that closes the queue, by compare-and-swap.
+    // Where the next value goes. Of many producers: moved by them and by the thread that closes the queue, by
+    // compare-and-swap; once the queue is closed, OutOfReach further on. Of a single one: moved by it alone, and no
+    // longer what counts once the queue is closed (_lastTail).
     [FieldOffset(Apart)]
     private int _tail;
 
@@ -60,13 +61,25 @@ internal struct RingPositions
     [FieldOffset((2 * Apart) + 8)]
     private int _seenTail;
 
-    // Written once.
+    // Of a single producer, once the queue is closed: Settled, and in the lower half how far from the start the tail
+    // was; Open before. Written once, by compare-and-swap, by whoever needs it first.
     [FieldOffset(4 * Apart)]
+    private long _lastTail;
+
+    // Written once.
+    [FieldOffset((4 * Apart) + 8)]
     private readonly int _start;
 
-    public RingPositions(int start)
+    // Written once.
+    [FieldOffset((4 * Apart) + 12)]
+    private readonly bool _isAlone;
+
+    /// <param name="start">The first position.</param>
+    /// <param name="isAlone">Whether there is a single producer.</param>
+    public RingPositions(int start, bool isAlone)
     {
         _start = start;
+        _isAlone = isAlone;
         _tail = start;
         _seenHead = start;
         _head = start;
@@ -113,50 +126,6 @@ internal struct RingPositions
         return ReserveSlow<TSync>(wanted, capacity, out position);
     }
 
-    /// <summary>
-    /// As <see cref="Reserve"/>, for a single producer: the places are its own until it moves the tail.
-    /// </summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public int Find<TSync>(int wanted, int capacity, out int position)
-        where TSync : struct, ISyncPoints
-    {
-        position = default(TSync).VolatileRead(ref _tail);
-        return unchecked(position - default(TSync).VolatileRead(ref _seenHead) + wanted)
-            <= default(TSync).VolatileRead(ref _fastPathLimit)
-                ? wanted
-                : FindSlow<TSync>(wanted, capacity, position);
-    }
-
-    /// <summary>A single producer has written values.</summary>
-    /// <param name="position">Of the first, as found.</param>
-    /// <param name="count">How many.</param>
-    /// <returns>False where the queue was closed meanwhile: they are counted as rejected.</returns>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool TryMoveTail<TSync>(int position, int count)
-        where TSync : struct, ISyncPoints
-    {
-        if (default(TSync).CompareExchange(ref _tail, unchecked(position + count), position) == position)
-            return true;
-        Interlocked.Add(ref _rejected, count);
-        return false;
-    }
-
-    /// <summary>
-    /// How many values of a single producer the receiver finds; it looks at the tail only when it knows of too few.
-    /// </summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public int Available<TSync>(int wanted)
-        where TSync : struct, ISyncPoints
-    {
-        int head = Head<TSync>();
-        int known = unchecked(default(TSync).Read(ref _seenTail) - head);
-        if (known >= wanted)
-            return known;
-        int tail = default(TSync).VolatileRead(ref _tail);
-        default(TSync).Write(ref _seenTail, tail);
-        return unchecked(tail - head) & Distance;
-    }
-
     /// <summary>Where the oldest value is. The receiver's only.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int Head<TSync>()
@@ -183,6 +152,12 @@ internal struct RingPositions
         // reach finds both.
         default(TSync).CompareExchange(ref _lastHighWater, default(TSync).VolatileRead(ref _fastPathLimit), -1);
         default(TSync).Exchange(ref _fastPathLimit, Closed);
+        if (_isAlone)
+        {
+            LastTail<TSync>();
+            return;
+        }
+
         int tail = default(TSync).VolatileRead(ref _tail);
         while (true)
         {
@@ -203,7 +178,7 @@ internal struct RingPositions
             // Half wraps before the head: they may be one behind it, which the head's top bit shows.
             half = unchecked((int)((uint)_start >> 31) + default(TSync).VolatileRead(ref _halfWraps));
             head = default(TSync).VolatileRead(ref _head);
-            tail = default(TSync).VolatileRead(ref _tail);
+            tail = _isAlone ? TailOfOne<TSync>() : default(TSync).VolatileRead(ref _tail);
         }
         while (default(TSync).VolatileRead(ref _head) != head);   // else there were pops between the looks
 
@@ -211,7 +186,7 @@ internal struct RingPositions
             half++;
         long popped = ((long)(half >> 1) << 32) + (uint)head - (uint)_start;
 
-        // Once the queue is closed the tail is out of reach.
+        // Once the queue of many producers is closed the tail is out of reach.
         int resident = unchecked(tail - head) & Distance;
         int last = default(TSync).VolatileRead(ref _lastHighWater);
         int highWater = Math.Max(resident, last >= 0 ? last : default(TSync).VolatileRead(ref _fastPathLimit));
@@ -247,21 +222,6 @@ internal struct RingPositions
             RaiseHighWater<TSync>(resident + count, fastPathLimit);
             return count;
         }
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private int FindSlow<TSync>(int wanted, int capacity, int tail)
-        where TSync : struct, ISyncPoints
-    {
-        int fastPathLimit = default(TSync).VolatileRead(ref _fastPathLimit);
-        int head = LookAtHead<TSync>();
-        int resident = unchecked(tail - head);
-        int count = IsClosed<TSync>() ? 0 : Math.Min(wanted, capacity - resident);
-        if (count < wanted)
-            Interlocked.Add(ref _rejected, wanted - count);
-        if (count > 0)
-            RaiseHighWater<TSync>(resident + count, fastPathLimit);
-        return count;
     }
 
     // Keeps what it finds, unless another sender has looked meanwhile: it may have found more, and one that is held up

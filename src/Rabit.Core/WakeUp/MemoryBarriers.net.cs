@@ -5,6 +5,9 @@ namespace Rabit.Core.WakeUp;
 /// <summary>What orders memory beside volatile and interlocked operations.</summary>
 internal static class MemoryBarriers
 {
+    /// <summary>Whether <see cref="AllThreads"/> is what its name says.</summary>
+    public const bool ReachAllThreads = true;
+
     /// <summary>No store after it is seen before one that precedes it.</summary>
     public static void Store() => Volatile.WriteBarrier();
 

@@ -8,6 +8,9 @@ namespace Rabit.Core.WakeUp;
 /// </summary>
 internal static class MemoryBarriers
 {
+    /// <summary>Whether <see cref="AllThreads"/> is what its name says.</summary>
+    public const bool ReachAllThreads = false;
+
     /// <summary>No store after it is seen before one that precedes it.</summary>
     public static void Store() => Interlocked.MemoryBarrier();
 

@@ -18,7 +18,7 @@ public sealed class RingPositionsTests
     {
         for (int point = 1; ; point++)
         {
-            var positions = new RingPositions(0);
+            var positions = new RingPositions(0, isAlone: false);
             positions.Reserve<SyncPoints>(Capacity, Capacity, out _);
             HeldUpPoints.HoldUpAt(point, () =>
             {
@@ -45,7 +45,7 @@ public sealed class RingPositionsTests
     {
         for (int point = 1; ; point++)
         {
-            var positions = new RingPositions(0);
+            var positions = new RingPositions(0, isAlone: false);
             positions.Reserve<SyncPoints>(1, 8, out _);
             HeldUpPoints.HoldUpAt(point, () =>
             {

@@ -1,0 +1,133 @@
+using System;
+using System.Runtime.CompilerServices;
+using System.Threading;
+using Rabit.Core.WakeUp;
+
+namespace Rabit.Core.Queues;
+
+/// <content>The positions of a single producer (<see cref="SingleProducerRing{T, TSync}"/>).</content>
+/// <remarks>
+/// It alone moves the tail, so a store does where many need a compare-and-swap. Requirements beside those of the ring
+/// (contract 3.5): a push that races with the end of the run is rejected, or its value is among those that are left and
+/// counted; nobody waits for another, since a manager that did not stop in time may be held up in its push for good.
+/// A store cannot be refused, so what counts once the queue is closed is not the tail but <c>_lastTail</c>, which
+/// whoever needs it first settles by compare-and-swap, once for all:
+/// <list type="bullet">
+/// <item>The sender moves the tail and then looks whether the queue is closed. If it is, it proposes its own tail; its
+/// values count if that, or a later one, is what was settled, and are rejected otherwise.</item>
+/// <item>The thread that closes, the receiver and readers of the counters read the tail and then look, too. If it is
+/// closed they fence all threads, read the tail again and propose that.</item>
+/// </list>
+/// The race it closes: a sender whose look came before the queue was closed reports its value as queued, though its
+/// store may still be on its way. The fence on all threads is between that look and the second read of the tail: the
+/// look was made before it, and then the store can be read after it; or it is made after it, and finds the queue
+/// closed. Where there is no such fence the sender stores by an exchange, a full fence of its own.
+/// </remarks>
+internal partial struct RingPositions
+{
+    private const long Open = 0;
+    private const long Settled = 1L << 32;
+
+    /// <summary>
+    /// As <see cref="Reserve"/>: the places are the sender's until it moves the tail.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public int Find<TSync>(int wanted, int capacity, out int position)
+        where TSync : struct, ISyncPoints
+    {
+        position = default(TSync).Read(ref _tail);
+        return unchecked(position - default(TSync).VolatileRead(ref _seenHead) + wanted)
+            <= default(TSync).VolatileRead(ref _fastPathLimit)
+                ? wanted
+                : FindSlow<TSync>(wanted, capacity, position);
+    }
+
+    /// <summary>The sender has written values.</summary>
+    /// <param name="position">Of the first, as found.</param>
+    /// <param name="count">How many.</param>
+    /// <param name="isFenced">Whether the move is a full fence: what the sender reads next, it reads after it.</param>
+    /// <returns>False where the queue was closed meanwhile: they are counted as rejected.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool TryMoveTail<TSync>(int position, int count, bool isFenced)
+        where TSync : struct, ISyncPoints
+    {
+        int tail = unchecked(position + count);
+        if (isFenced || !MemoryBarriers.ReachAllThreads)
+            default(TSync).Exchange(ref _tail, tail);
+        else
+            default(TSync).VolatileWrite(ref _tail, tail);
+        return default(TSync).VolatileRead(ref _fastPathLimit) != Closed || IsInTime<TSync>(tail, count);
+    }
+
+    /// <summary>
+    /// How many values the receiver finds; it looks at the tail only when it knows of too few.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public int Available<TSync>(int wanted)
+        where TSync : struct, ISyncPoints
+    {
+        int head = Head<TSync>();
+        int known = unchecked(default(TSync).Read(ref _seenTail) - head);
+        if (known >= wanted)
+            return known;
+        int tail = TailOfOne<TSync>();
+        default(TSync).Write(ref _seenTail, tail);
+        return unchecked(tail - head);
+    }
+
+    // In this order: a tail that was read while the queue was open is part of what will count.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private int TailOfOne<TSync>()
+        where TSync : struct, ISyncPoints
+    {
+        int tail = default(TSync).VolatileRead(ref _tail);
+        return default(TSync).VolatileRead(ref _fastPathLimit) != Closed ? tail : LastTail<TSync>();
+    }
+
+    // Once the queue is closed.
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private int LastTail<TSync>()
+        where TSync : struct, ISyncPoints
+    {
+        if (default(TSync).VolatileRead(ref _lastTail) is var last && last != Open)
+            return TailOf(last);
+        default(TSync).FenceAllThreads();
+        return Settle<TSync>(default(TSync).VolatileRead(ref _tail));
+    }
+
+    // The sender, once the queue is closed: whether the values before this tail, which it has moved, count.
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private bool IsInTime<TSync>(int tail, int count)
+        where TSync : struct, ISyncPoints
+    {
+        if (unchecked(Settle<TSync>(tail) - tail) >= 0)
+            return true;
+        Interlocked.Add(ref _rejected, count);
+        return false;
+    }
+
+    // What was settled before, or this tail.
+    private int Settle<TSync>(int tail)
+        where TSync : struct, ISyncPoints
+    {
+        long last = default(TSync).CompareExchange(ref _lastTail, Settled | unchecked((uint)(tail - _start)), Open);
+        return last == Open ? tail : TailOf(last);
+    }
+
+    private readonly int TailOf(long settled) => unchecked((int)settled + _start);
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private int FindSlow<TSync>(int wanted, int capacity, int tail)
+        where TSync : struct, ISyncPoints
+    {
+        int fastPathLimit = default(TSync).VolatileRead(ref _fastPathLimit);
+        int head = LookAtHead<TSync>();
+        int resident = unchecked(tail - head);
+        int count = IsClosed<TSync>() ? 0 : Math.Min(wanted, capacity - resident);
+        if (count < wanted)
+            Interlocked.Add(ref _rejected, wanted - count);
+        if (count > 0)
+            RaiseHighWater<TSync>(resident + count, fastPathLimit);
+        return count;
+    }
+}
