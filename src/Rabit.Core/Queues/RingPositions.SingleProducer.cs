@@ -9,9 +9,9 @@ namespace Rabit.Core.Queues;
 /// <remarks>
 /// It alone moves the tail, so a store does where many need a compare-and-swap. Requirements beside those of the ring
 /// (contract 3.5): a push that races with the end of the run is rejected, or its value is among those that are left and
-/// counted; nobody waits for another, since a manager that did not stop in time may be held up in its push for good.
+/// counted; no thread waits for another, since a manager that did not stop in time may be held up in its push for good.
 /// A store cannot be refused, so what counts once the queue is closed is not the tail but <c>_lastTail</c>, which
-/// whoever needs it first settles by compare-and-swap, once for all:
+/// the first thread that needs it settles by compare-and-swap, once for all:
 /// <list type="bullet">
 /// <item>The sender moves the tail and then looks whether the queue is closed. If it is, it proposes its own tail; its
 /// values count if that, or a later one, is what was settled, and are rejected otherwise.</item>

@@ -62,7 +62,7 @@ internal partial struct RingPositions
     private int _seenTail;
 
     // Of a single producer, once the queue is closed: Settled, and in the lower half how far from the start the tail
-    // was; Open before. Written once, by compare-and-swap, by whoever needs it first.
+    // was; Open before. Written once, by compare-and-swap, by the first that needs it.
     [FieldOffset(4 * Apart)]
     private long _lastTail;
 
