@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using Rabit.Latency.Calls;
 using Rabit.Latency.Contention;
+using Rabit.Latency.Cost;
 using Rabit.Latency.Forwarding;
 using Rabit.Latency.Idle;
 using Rabit.Latency.Inversion;
@@ -38,6 +39,7 @@ internal static class Runner
         ("realtime", options => [RealTimeMode.Run(options)]),
         ("inversion", options => [InversionMode.Run(options)]),
         ("idle", IdleMode.Run),
+        ("cost", CostMode.Run),
         ("throughput", ThroughputMode.Run),
         ("contention", ContentionMode.Run),
         .. SingleCalls,

@@ -12,9 +12,10 @@ internal sealed class BaselineSleepers : Sleepers
     private volatile bool _stopped;
 
     /// <param name="make">Makes what one thread sleeps on, and what wakes it.</param>
-    public BaselineSleepers(Func<(Action Sleep, Action Wake)> make)
+    /// <param name="number">How many threads.</param>
+    public BaselineSleepers(Func<(Action Sleep, Action Wake)> make, int number = Number)
     {
-        for (int i = 0; i < Number; i++)
+        for (int i = 0; i < number; i++)
         {
             (Action sleep, Action wake) = make();
             _wakes.Add(wake);

@@ -8,10 +8,10 @@ internal sealed class RabitSleepers : Sleepers
 {
     private readonly RabitReactor _reactor;
 
-    public RabitSleepers(WaitEngine engine, TimeSpan period)
+    public RabitSleepers(WaitEngine engine, TimeSpan period, int number = Number)
     {
         _reactor = RabitRun.Create(engine);
-        for (int i = 0; i < Number; i++)
+        for (int i = 0; i < number; i++)
             _reactor.Add(new Sleeper($"sleeper {i}", period));
         _reactor.Start();
     }

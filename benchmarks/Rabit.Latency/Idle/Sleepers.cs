@@ -2,7 +2,10 @@ using System;
 
 namespace Rabit.Latency.Idle;
 
-/// <summary>Sixteen things that do nothing, again and again. They run from their making to their end.</summary>
+/// <summary>
+/// Things that do nothing, again and again: sixteen where nothing else is said. They run from their making to their
+/// end.
+/// </summary>
 internal abstract class Sleepers : IDisposable
 {
     public const int Number = 16;
