@@ -159,8 +159,9 @@ internal static class CommandLine
             "Rabit's managers fly a search: a simulated one, or with a real vehicle; or they observe a flight, live or "
                 + "recorded.")
         {
-            Links, RealTime, Seed, Targets, Moving, GroupArguments.Vehicles, GroupArguments.Layer, Autopilot, Mission,
-            Fly, Camera, Terrain, TruthOption, Headless, Summary, Report, Log, SystemId, SignKey, TrustLink, Px4Events,
+            Links, RealTime, Seed, Targets, Moving, GroupArguments.Vehicles, GroupArguments.Layer,
+            GroupArguments.LayerSpacing, GroupArguments.Commands, Autopilot, Mission, Fly, Camera, Terrain,
+            TruthOption, Headless, Summary, Report, Log, SystemId, SignKey, TrustLink, Px4Events,
         };
         foreach (Option option in PreflightArguments.All.Concat(OperatorArguments.All)
             .Concat(ReportArguments.All).Concat(RecordingArguments.All).Concat(AbandonedArguments.All)
@@ -227,6 +228,8 @@ internal static class CommandLine
         Look = SimulationArguments.Read(result),
         Vehicles = GroupArguments.Read(result),
         Group = GroupArguments.ReadGroup(result),
+        LayerSpacingMetres = result.GetValue(GroupArguments.LayerSpacing),
+        Commands = result.GetValue(GroupArguments.Commands) ?? [],
         Autopilot = result.GetValue(Autopilot) == "px4" ? SimulatedAutopilot.Px4 : SimulatedAutopilot.ArduPilot,
         MissionFile = given.Mission.Value,
         MissionOption = given.Mission.Name,

@@ -38,6 +38,12 @@ internal sealed class ConsoleOptions
     /// <summary>How many simulated vehicles search together.</summary>
     public int Vehicles { get; init; } = 1;
 
+    /// <summary>From one height layer of a group to the next; null for the default.</summary>
+    public double? LayerSpacingMetres { get; init; }
+
+    /// <summary>What the ground station of a simulated group commands, and when.</summary>
+    public IReadOnlyList<ScriptedCommand> Commands { get; init; } = [];
+
     /// <summary>How a real vehicle searches together with others; null where it searches alone.</summary>
     public GroupOptions? Group { get; init; }
 

@@ -166,7 +166,8 @@ internal static class FlightRun
         var clock = Stopwatch.StartNew();
         OperatorKeys? keys = options.IsHeadless || !KeyReader.IsPossible
             ? null
-            : new OperatorKeys(options.FliesMission ? flight.Uav.MissionControl : null, () => reactor.Stop("key q"));
+            : new OperatorKeys(
+                options.FliesMission ? new MissionKeys(flight.Uav.MissionControl) : null, () => reactor.Stop("key q"));
         Bell? bell = options.Operator.HasBell && !Console.IsOutputRedirected
             ? new Bell(() => Console.Write('\a'))
             : null;

@@ -20,7 +20,7 @@ public sealed class GroupTests : IDisposable
 
         using ConsoleProcess console = ConsoleProcess.RunIn(
             _folder.Folder, out int exitCode, "--headless", "--vehicles", "2", "--targets", "1", "--mission", mission,
-            "--report", "r.html");
+            "--report", "r.html", "--command", "20:9:land", "--command", "30:all:hold", "--command", "33:all:continue");
 
         Assert.True(exitCode == 0, console.ToString());
         Assert.Empty(console.Errors);
@@ -29,6 +29,14 @@ public sealed class GroupTests : IDisposable
         Assert.Contains("1 of 1 targets found, 0 false", string.Join("\n", console.Output));
         Assert.Single(console.Output, l => l.Contains(": found by vehicle ")
             && l.EndsWith(" confirmed", StringComparison.Ordinal));
+        Assert.Single(console.Output, l => l.StartsWith("station 255: ", StringComparison.Ordinal)
+            && l.EndsWith("land of vehicle 9: there is no vehicle 9; received were 1, 2", StringComparison.Ordinal));
+        foreach (string command in new[] { "hold", "continue" })
+        {
+            Assert.Single(
+                console.Output, l => l.EndsWith($"{command} of all: accepted by 1, 2", StringComparison.Ordinal));
+        }
+
         string group = File.ReadAllText(Path.Combine(_folder.Folder, "r.html"));
         Assert.Contains("Mission accomplished", group);
         Assert.Contains("confirmed</dd>", group);
@@ -44,6 +52,12 @@ public sealed class GroupTests : IDisposable
     [InlineData("--vehicles 0", "--vehicles 0: it must be a number from 1 to 8.")]
     [InlineData("--vehicles 3 --web", "--web is for one vehicle; it does not go with --vehicles.")]
     [InlineData("--vehicles 2 --link udpin:127.0.0.1:14599", "--vehicles is for the simulation;")]
+    [InlineData("--vehicles 2 --layer-spacing 14", "--layer-spacing 14: it must be a number of metres from 15 to 100.")]
+    [InlineData("--layer-spacing 20", "--layer-spacing needs --vehicles or --group-layer.")]
+    [InlineData("--command 5:1:hold", "--command needs --vehicles:")]
+    [InlineData("--vehicles 2 --command 5:0:hold", "--command 5:0:hold: it must be SECONDS:VEHICLE:COMMAND with")]
+    [InlineData("--vehicles 2 --command 5:all:reject=1", "--command 5:all:reject=1: it must be")]
+    [InlineData("--vehicles 2 --command NaN:1:hold", "--command NaN:1:hold: it must be")]
     [InlineData("--group-layer 1", "--group-layer needs --link URL, --mission FILE and --fly;")]
     [InlineData("--group-layer 9", "--group-layer 9: it must be a number from 0 to 7.")]
     public void Options_ThatMakeNoSense_AreNamed(string arguments, string expected)

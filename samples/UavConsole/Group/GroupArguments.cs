@@ -31,18 +31,47 @@ internal static class GroupArguments
         CustomParser = ParseLayer,
     };
 
+    /// <summary>How far two layers are apart.</summary>
+    public static Option<double?> LayerSpacing { get; } = new("--layer-spacing")
+    {
+        Description = "From one height layer of a group to the next, 15 to 100 m, the same for all; with --vehicles or "
+            + "--group-layer. 17 simulated, 20 with real vehicles without it.",
+        HelpName = "METRES",
+        CustomParser = ParseSpacing,
+    };
+
+    /// <summary>What the simulated ground station commands.</summary>
+    public static Option<ScriptedCommand[]> Commands { get; } = new("--command")
+    {
+        Description = "What the ground station of --vehicles commands by radio, and when: " + ScriptedCommand.Form
+            + ". May be given again.",
+        HelpName = "WHEN:WHO:WHAT",
+        CustomParser = ParseCommands,
+    };
+
     public static int Read(ParseResult result) => result.GetValue(Vehicles) ?? 1;
 
     /// <summary>How a real vehicle searches with others; null where it searches alone.</summary>
     public static GroupOptions? ReadGroup(ParseResult result)
-        => result.GetValue(Layer) is { } layer ? new GroupOptions { HeightLayer = layer } : null;
+    {
+        if (result.GetValue(Layer) is not { } layer)
+            return null;
+        var options = new GroupOptions { HeightLayer = layer };
+        options.LayerSpacingMetres = result.GetValue(LayerSpacing) ?? options.LayerSpacingMetres;
+        return options;
+    }
 
     /// <summary>What does not go with several vehicles.</summary>
     public static IEnumerable<string> FindFaults(ParseResult result, Given given)
     {
         if (result.GetValue(Layer) is not null && !given.Flies.Value)
             yield return $"{Layer.Name} needs --link URL, --mission FILE and --fly; the simulation has --vehicles.";
-        if (Read(result) == 1)
+        bool isGroup = Read(result) > 1;
+        if (result.GetValue(LayerSpacing) is not null && !isGroup && result.GetValue(Layer) is null)
+            yield return $"{LayerSpacing.Name} needs {Vehicles.Name} or {Layer.Name}.";
+        if (result.GetValue(Commands) is { Length: > 0 } && !isGroup)
+            yield return $"{Commands.Name} needs {Vehicles.Name}: it is for the ground station of a simulated group.";
+        if (!isGroup)
             yield break;
         if (!given.IsSimulated)
         {
@@ -67,6 +96,30 @@ internal static class GroupArguments
             return layer;
         result.AddError($"--group-layer {text}: it must be a number from 0 to {GroupOptions.MaxLayer}.");
         return null;
+    }
+
+    private static double? ParseSpacing(ArgumentResult result)
+    {
+        string text = result.Tokens[0].Value;
+        if (double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double metres)
+            && metres is >= 15 and <= 100)
+            return metres;
+        result.AddError($"--layer-spacing {text}: it must be a number of metres from 15 to 100.");
+        return null;
+    }
+
+    private static ScriptedCommand[] ParseCommands(ArgumentResult result)
+    {
+        var commands = new List<ScriptedCommand>();
+        foreach (string text in result.Tokens.Select(t => t.Value))
+        {
+            if (ScriptedCommand.TryParse(text) is { } command)
+                commands.Add(command);
+            else
+                result.AddError($"--command {text}: it must be {ScriptedCommand.Form}.");
+        }
+
+        return [.. commands];
     }
 
     private static int? Parse(ArgumentResult result)

@@ -4,6 +4,7 @@ using System.Linq;
 using Rabit.Core;
 using Rabit.Links;
 using Rabit.Uav;
+using Rabit.Uav.GroundControl;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 using Rabit.Uav.Reporting;
@@ -16,14 +17,23 @@ internal sealed class GroupFlight : IDisposable
 {
     // Between two layers: the simulated home is level, so that heights above it differ by little. With 20 m the third
     // vehicle would be too high for the smallest target.
-    private const double LayerSpacingMetres = 17;
+    public const double DefaultLayerSpacingMetres = 17;
+
+    // A little to the side, so that no vehicle lands on it.
+    private const double StationNorthMetres = -10;
 
     private static readonly TimeSpan RadioSamplePeriod = TimeSpan.FromSeconds(1);
 
     private TimeSpan _nextRadioSample;
 
-    private GroupFlight(SimulatedGroup group, MissionFile file, MissionPlan mission)
-        => (Group, MissionFile, Mission) = (group, file, SimulatedLook.Declare(mission, group.Vehicles[0].World));
+    private GroupFlight(
+        SimulatedGroup group, MissionFile file, MissionPlan mission, ConsoleOptions options, LogFile? log)
+    {
+        (Group, MissionFile, Mission) = (group, file, SimulatedLook.Declare(mission, group.Vehicles[0].World));
+        SimulatedGroundStation station = group.GroundStations[0];
+        Station = new GroupStation(
+            station, options.Commands, new RunLog(log, $"station {FlightText.Number(station.SystemId)}: "));
+    }
 
     /// <summary>For the thread that simulates.</summary>
     public SimulatedGroup Group { get; }
@@ -33,6 +43,9 @@ internal sealed class GroupFlight : IDisposable
     public MissionPlan Mission { get; }
 
     public List<GroupVehicle> Vehicles { get; } = [];
+
+    /// <summary>Commands one vehicle or all by radio.</summary>
+    public GroupStation Station { get; }
 
     /// <summary>The time of the vehicles. Any thread.</summary>
     public TimeSpan Now => Vehicles.Max(v => v.Monitor.Now);
@@ -55,8 +68,13 @@ internal sealed class GroupFlight : IDisposable
         options.Look.ApplyTo(world);
         world.TakePlacesFrom(mission);
         var flight = new GroupFlight(
-            new SimulatedGroup(new SimulatedGroupOptions { Vehicles = options.Vehicles, World = world }), file,
-            mission);
+            new SimulatedGroup(new SimulatedGroupOptions
+            {
+                Vehicles = options.Vehicles,
+                World = world,
+                GroundStations = [new SimulatedStationPlace(StationNorthMetres, 0)],
+            }),
+            file, mission, options, log);
         try
         {
             for (int i = 0; i < options.Vehicles; i++)
@@ -99,16 +117,25 @@ internal sealed class GroupFlight : IDisposable
             OtherManagers = [simulated.World.CreateVehicle(telemetry.B)],
             Mission = Mission,
             MayCommand = true,
+            GroundCommands = new GroundCommandOptions { SystemIds = [Station.Station.SystemId] },
             Camera = simulated.World.CreateCamera(),
             Time = simulated.Time,
             Imaging = { Camera = simulated.World.CameraModel, Mount = simulated.World.CameraMount },
             Communications =
             {
-                LinkSettings = new Dictionary<int, LinkSettings> { [1] = simulated.RadioSettings },
+                LinkSettings = new Dictionary<int, LinkSettings>
+                {
+                    [0] = SimulatedGroupVehicle.TelemetrySettings,
+                    [1] = simulated.RadioSettings,
+                },
             },
             MissionControl =
             {
-                Group = new GroupOptions { HeightLayer = number, LayerSpacingMetres = LayerSpacingMetres },
+                Group = new GroupOptions
+                {
+                    HeightLayer = number,
+                    LayerSpacingMetres = options.LayerSpacingMetres ?? DefaultLayerSpacingMetres,
+                },
             },
         };
         uavOptions.Fusion.TargetMotions =

@@ -62,7 +62,14 @@ internal static class GroupRun
         Task run = Task.Factory.StartNew(
             () => RunToEnd(flight, options.IsRealTime, stop.Token), CancellationToken.None,
             TaskCreationOptions.LongRunning, TaskScheduler.Default);
-        string? lost = Show(run, flight, options);
+        var clock = Stopwatch.StartNew();
+        OperatorKeys? keys = options.IsHeadless || !KeyReader.IsPossible
+            ? null
+            : new OperatorKeys(new GroupKeys(flight.Station.Station), stop.Cancel);
+        if (keys is not null)
+            KeyReader.Start(keys, clock);
+        string? lost = Show(run, flight, keys, clock, options);
+        keys?.Close();
         run.GetAwaiter().GetResult();
         flight.Group.Finish();
         foreach (GroupVehicle vehicle in flight.Vehicles)
@@ -85,6 +92,7 @@ internal static class GroupRun
         TimeSpan? over = null;
         while (!stop.IsCancellationRequested && group.Now < MaxSimulation)
         {
+            flight.Station.Update(group.Now);
             group.Step();
             flight.SampleRadio();
             if (isRealTime && group.Now - clock.Elapsed is { } ahead && ahead > TimeSpan.Zero)
@@ -97,14 +105,15 @@ internal static class GroupRun
     }
 
     // A terminal that has closed ends the view, not the flight.
-    private static string? Show(Task run, GroupFlight flight, ConsoleOptions options)
+    private static string? Show(
+        Task run, GroupFlight flight, OperatorKeys? keys, Stopwatch clock, ConsoleOptions options)
     {
         try
         {
             if (options.IsHeadless)
                 new GroupLines(flight).ShowUntilEnd(run);
             else
-                new GroupScreen(flight).ShowUntilEnd(run);
+                new GroupScreen(flight, keys, () => keys?.Update(clock.Elapsed)).ShowUntilEnd(run);
             return null;
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ObjectDisposedException)

@@ -13,7 +13,10 @@ namespace UavConsole;
 /// <summary>
 /// The screen of a group: one map with all vehicles, a line for each of them, and the last decisions of all.
 /// </summary>
-internal sealed class GroupScreen(GroupFlight flight)
+/// <param name="flight">What it shows.</param>
+/// <param name="keys">What the keys do, for the last line; null where there are none.</param>
+/// <param name="refreshed">Called at each refresh; null for nothing.</param>
+internal sealed class GroupScreen(GroupFlight flight, IKeyHints? keys = null, Action? refreshed = null)
 {
     private const int NotesKept = 60;
     private const int MinMapRows = 6;
@@ -50,7 +53,8 @@ internal sealed class GroupScreen(GroupFlight flight)
     /// <param name="isUnicode">Whether it knows more than ASCII.</param>
     internal Rows Draw(int width, int height, bool isUnicode)
     {
-        int free = height - flight.Vehicles.Count - 2;
+        string hints = FlightText.Printable(keys?.Line ?? string.Empty);
+        int free = height - flight.Vehicles.Count - (keys is null ? 2 : 3);
         int mapRows = width >= ScreenLayout.MinMapWidth && free >= MinMapRows + MinNotes ? free - MinNotes : 0;
         string[] lines =
         [
@@ -64,6 +68,7 @@ internal sealed class GroupScreen(GroupFlight flight)
             .. flight.Vehicles.Select(v => Markup.Escape(Text.Fit(GroupText.Row(v), width))),
             .. _notes.Skip(_notes.Count - Math.Max(0, free - mapRows))
                 .Select(n => $"[grey]{Markup.Escape(Text.Fit(FlightText.Printable(n), width))}[/]"),
+            .. keys is null ? [] : new[] { $"[bold]{Markup.Escape(Text.Fit(hints, width))}[/]" },
         ];
         return new Rows(lines.Select(l => new Markup(l).Overflow(Overflow.Crop)));
     }
@@ -76,6 +81,7 @@ internal sealed class GroupScreen(GroupFlight flight)
             _notes.Enqueue(line);
         while (_notes.Count > NotesKept)
             _notes.Dequeue();
+        refreshed?.Invoke();
     }
 
     private string Title() => string.Format(

@@ -34,7 +34,8 @@ internal static class GroupText
 
     /// <summary>The lines of all logs that are new, in the order of their times.</summary>
     public static IEnumerable<string> TakeLog(GroupFlight flight)
-        => flight.Vehicles.SelectMany(v => v.Log.TakeAll()).Select((line, i) => (line, i))
+        => flight.Vehicles.Select(v => v.Log).Append(flight.Station.Log).SelectMany(l => l.TakeAll())
+            .Select((line, i) => (line, i))
             .OrderBy(l => TimeOf(l.line), StringComparer.Ordinal).ThenBy(l => l.i).Select(l => l.line);
 
     private static string Line(

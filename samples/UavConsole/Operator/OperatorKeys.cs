@@ -1,8 +1,5 @@
 using System;
-using System.Globalization;
 using System.Threading;
-using Rabit.Uav.Messages;
-using Rabit.Uav.MissionControl;
 
 namespace UavConsole;
 
@@ -11,11 +8,10 @@ namespace UavConsole;
 /// is held down come in bursts, and have no effect. Land and quit need a second press. It has neither a clock nor a
 /// terminal: the times come with the keys.
 /// </summary>
-/// <param name="mission">Takes the commands; null where no mission is flown: then only quit is a key.</param>
+/// <param name="commands">What the keys command; null where no mission is flown: then only quit is a key.</param>
 /// <param name="quit">Stops the program in order.</param>
-internal sealed class OperatorKeys(IMissionOperator? mission, Action quit) : IKeyHints
+internal sealed class OperatorKeys(IKeyCommands? commands, Action quit) : IKeyHints
 {
-    private const string By = "console";
     private const int MaxTrackDigits = 5;
 
     // The slowest repeat of a key that is held down is 10 per second, 0.5 s after its press.
@@ -29,7 +25,7 @@ internal sealed class OperatorKeys(IMissionOperator? mission, Action quit) : IKe
     private TimeSpan? _lastKey;
     private (char Key, TimeSpan At)? _first;
     private (string Digits, TimeSpan At) _number = (string.Empty, TimeSpan.Zero);
-    private OperatorRequest? _request;
+    private IKeyAnswer? _answer;
     private TimeSpan? _answered;
     private bool _isClosed;
     private string _line = string.Empty;
@@ -62,10 +58,10 @@ internal sealed class OperatorKeys(IMissionOperator? mission, Action quit) : IKe
                 _first = null;
             if (now - _number.At > NumberKept)
                 _number.Digits = string.Empty;
-            if (_request is { Outcome: not OperatorOutcome.InProgress })
+            if (_answer is { IsAnswered: true })
                 _answered ??= now;
             if (now - _answered > AnswerShown)
-                (_request, _answered) = (null, null);
+                (_answer, _answered) = (null, null);
             Volatile.Write(ref _line, _isClosed ? string.Empty : MakeLine());
         }
     }
@@ -91,14 +87,14 @@ internal sealed class OperatorKeys(IMissionOperator? mission, Action quit) : IKe
 
     private void Do(char key, TimeSpan at)
     {
-        if (key is 'q' or 'l' && (key == 'q' || mission is not null))
+        if (key is 'q' or 'l' && (key == 'q' || commands is not null))
         {
             Confirm(key, at);
             return;
         }
 
         _first = null;
-        if (mission is null)
+        if (commands is null)
             return;
         if (key is >= '0' and <= '9')
         {
@@ -106,10 +102,8 @@ internal sealed class OperatorKeys(IMissionOperator? mission, Action quit) : IKe
             return;
         }
 
-        OperatorRequest? request = Give(mission, key);
+        Show(commands.Do(key, _number.Digits));
         _number.Digits = string.Empty;
-        if (request is not null)
-            (_request, _answered) = (request, null);
     }
 
     private void Confirm(char key, TimeSpan at)
@@ -124,24 +118,13 @@ internal sealed class OperatorKeys(IMissionOperator? mission, Action quit) : IKe
         if (key == 'q')
             quit();
         else
-            (_request, _answered) = (mission!.Land(By, "key l"), null);
+            Show(commands!.Do(key, string.Empty));
     }
 
-    private OperatorRequest? Give(IMissionOperator to, char key)
+    private void Show(IKeyAnswer? answer)
     {
-        string why = "key " + key;
-        bool hasTrack = int.TryParse(_number.Digits, NumberStyles.None, CultureInfo.InvariantCulture, out int track);
-        return key switch
-        {
-            'r' => to.ReturnToLaunch(By, why),
-            'h' => to.Hold(By, why),
-            'c' => to.ContinueMission(By, why),
-            's' => to.SkipLane(By, why),
-            'v' when hasTrack => to.Revisit(track, By, why),
-            'y' when hasTrack => to.Confirm(track, By, why),
-            'n' when hasTrack => to.Reject(track, By, why),
-            _ => null,
-        };
+        if (answer is not null)
+            (_answer, _answered) = (answer, null);
     }
 
     private string MakeLine()
@@ -149,17 +132,8 @@ internal sealed class OperatorKeys(IMissionOperator? mission, Action quit) : IKe
         if (_first is { } first)
             return $"{first.Key} again within 2 s: {(first.Key == 'q' ? "quit" : "land here")}";
         if (_number.Digits.Length > 0)
-            return $"track {_number.Digits}: v revisit  y is a target  n is none";
-        string keys = mission is null
-            ? "qq quit"
-            : "r return  h hold  c continue  s skip lane  0-9 track  ll land  qq quit";
-        return _request is null ? keys : AnswerOf(_request) + " | " + keys;
+            return $"{commands!.NumberName} {_number.Digits}: {commands.NumberHint}";
+        string keys = commands?.Hint ?? "qq quit";
+        return _answer is null ? keys : _answer.Text + " | " + keys;
     }
-
-    private static string AnswerOf(OperatorRequest request) => request.Outcome switch
-    {
-        OperatorOutcome.Accepted => request.Name + " accepted",
-        OperatorOutcome.Refused => $"{request.Name} refused: {request.Answer}",
-        _ => request.Name + " ...",
-    };
 }

@@ -33,7 +33,8 @@ public sealed partial class MavlinkCommandServer
 
     private bool IsForUs(byte system, byte component) => _options.HandlesBroadcast
         ? new MavlinkAddress(_sender.SystemId, _sender.ComponentId).IsTargetOf(system, component)
-        : system == _sender.SystemId && component == _sender.ComponentId;
+        : component == _sender.ComponentId
+            && (system == _sender.SystemId || (system == 0 && _options.HandlesAllSystems));
 
     private void Receive(in MavlinkFrame frame, in MavlinkCommand command, int confirmation, TimeSpan now)
     {

@@ -12,6 +12,12 @@ public sealed class MavlinkCommandServerOptions
     public bool HandlesBroadcast { get; init; }
 
     /// <summary>
+    /// Whether commands to our component of all systems (system 0) are handled too; false by default. So one ground
+    /// station commands the same component of several vehicles at once; what is sent to all components is left alone.
+    /// </summary>
+    public bool HandlesAllSystems { get; init; }
+
+    /// <summary>
     /// How long after a command was received IN_PROGRESS is sent if it has no result yet, and how long after each
     /// IN_PROGRESS the next one; 0.5 s.
     /// </summary>

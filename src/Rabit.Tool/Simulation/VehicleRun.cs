@@ -1,6 +1,7 @@
 using System;
 using System.CommandLine;
 using System.IO;
+using System.Threading;
 using System.Threading.Tasks;
 using Rabit.Core;
 using Rabit.Links;
@@ -74,9 +75,14 @@ internal static class VehicleRun
         RabitManager vehicle, SimulatedWorld world, CameraFolder? folder, VehicleOptions options,
         InvocationConfiguration console)
     {
-        // The reactor takes the first Ctrl-C while it runs. Neither a second one nor one that comes late may cut the
-        // truth off.
-        Console.CancelKeyPress += (_, e) => e.Cancel = true;
+        // The reactor takes the first Ctrl-C while it runs; one that comes before that stops it once it runs. Neither a
+        // second one nor one that comes late may cut the truth off.
+        bool isInterrupted = false;
+        Console.CancelKeyPress += (_, e) =>
+        {
+            e.Cancel = true;
+            Volatile.Write(ref isInterrupted, true);
+        };
         var reactorOptions = new ReactorOptions
         {
             Log = entry => WriteNews(entry, console.Error),
@@ -90,7 +96,12 @@ internal static class VehicleRun
 
         Task<ReactorResult> run = reactor.RunAsync();
         while (!run.Wait(ShowEvery))
+        {
+            if (Volatile.Read(ref isInterrupted))
+                reactor.Stop("Ctrl-C");
             line.Show(reactor.Now, world.Truth);
+        }
+
         line.Show(reactor.Now, world.Truth);
         int exitCode = run.GetAwaiter().GetResult().ExitCode;
         return exitCode == ToolExitCode.Done && line.HasFailed ? ToolExitCode.BadInput : exitCode;

@@ -23,6 +23,14 @@ namespace Rabit.Uav.Simulation;
 ///         OpenLinks = [telemetry.A, vehicle.Radio],
 ///         OtherManagers = [vehicle.World.CreateVehicle(telemetry.B)],
 ///         Time = vehicle.Time,
+///         Communications =
+///         {
+///             LinkSettings = new Dictionary&lt;int, LinkSettings&gt;
+///             {
+///                 [0] = SimulatedGroupVehicle.TelemetrySettings,
+///                 [1] = vehicle.RadioSettings,
+///             },
+///         },
 ///     });
 ///     group.Attach(i, uav.CreateReactor(new ReactorOptions { StopsOnSignals = false }));
 /// }
@@ -70,10 +78,18 @@ public sealed class SimulatedGroup
         }
 
         Vehicles = vehicles;
+        GroundStations = options.GroundStations.Select((place, i) =>
+        {
+            var at = new NedPosition(place.NorthMetres, place.EastMetres, 0);
+            return new SimulatedGroundStation((byte)(SimulatedGroundStation.FirstSystemId - i), _radio.Add(() => at));
+        }).ToArray();
     }
 
     /// <summary>The vehicles.</summary>
     public IReadOnlyList<SimulatedGroupVehicle> Vehicles { get; }
+
+    /// <summary>The ground stations; none unless there are some in the options.</summary>
+    public IReadOnlyList<SimulatedGroundStation> GroundStations { get; }
 
     /// <summary>The clock of the group.</summary>
     public TimeSpan Now { get; private set; }
@@ -110,6 +126,8 @@ public sealed class SimulatedGroup
         Now += Length;
         for (int i = 0; i < Vehicles.Count; i++)
             Run(Vehicles[i], i);
+        foreach (SimulatedGroundStation station in GroundStations)
+            station.Step(Now);
         _radio.Exchange(Now);
         _separation.Update(Vehicles, Now);
         return IsRunning;

@@ -10,6 +10,11 @@ public sealed class SimulatedGroupOptions
     /// <summary>The most vehicles.</summary>
     public const int MaxVehicles = 8;
 
+    /// <summary>The most ground stations.</summary>
+    public const int MaxGroundStations = 4;
+
+    private const double MaxStationMetres = 1e5;
+
     /// <summary>
     /// How many vehicles; their system ids are 1, 2 and so on, but for
     /// <see cref="SimulatedGroupFaultKind.SameSystemId"/>.
@@ -25,6 +30,13 @@ public sealed class SimulatedGroupOptions
 
     /// <summary>The radio between the vehicles.</summary>
     public SimulatedRadioOptions Radio { get; set; } = new();
+
+    /// <summary>
+    /// Ground stations that take part in the radio, at most <see cref="MaxGroundStations"/>; their system ids are 255,
+    /// 254 and so on. For <see cref="RadioPartition.Stations"/> they come after the vehicles.
+    /// </summary>
+    /// <value>The default is none.</value>
+    public IReadOnlyList<SimulatedStationPlace> GroundStations { get; set; } = Array.Empty<SimulatedStationPlace>();
 
     /// <summary>What goes wrong with whole vehicles, in any order.</summary>
     /// <value>The default is nothing.</value>
@@ -61,6 +73,16 @@ public sealed class SimulatedGroupOptions
                 yield return $"{nameof(Faults)} has one at {fault.At}; it must not be negative";
             if (fault.Kind == SimulatedGroupFaultKind.SameSystemId && Vehicles == 1)
                 yield return $"{nameof(Faults)} has {fault.Kind}; that takes another vehicle";
+        }
+
+        if (GroundStations is null || GroundStations.Count > MaxGroundStations)
+            yield return $"{nameof(GroundStations)} has {GroundStations?.Count}; it must have 0 to {MaxGroundStations}";
+        foreach (SimulatedStationPlace? station in GroundStations ?? [])
+        {
+            // Comparisons with NaN are false.
+            if (!(Math.Abs(station?.NorthMetres ?? double.NaN) <= MaxStationMetres)
+                || !(Math.Abs(station!.EastMetres) <= MaxStationMetres))
+                yield return $"{nameof(GroundStations)} has one at {station}; it must be within {MaxStationMetres} m";
         }
 
         if (Faults is null || VehicleFaults is null)

@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Rabit.Core;
 using Rabit.Geodesy;
 using Rabit.Links;
@@ -25,14 +26,30 @@ public sealed class SimulatedGroupVehicle
 
     /// <summary>
     /// What goes over that link, for <see cref="Communications.CommunicationsOptions.LinkSettings"/>: our own
-    /// heartbeat, position and vehicle messages. The telemetry of the autopilot would fill it.
+    /// heartbeat, position, vehicle messages and answers to commands. The telemetry of the autopilot would fill it.
     /// </summary>
     public LinkSettings RadioSettings => new()
     {
         Name = "radio",
         AllowOut = new LinkFilter(
-            [(int)Heartbeat.MavlinkId, (int)GlobalPositionInt.MavlinkId, (int)Tunnel.MavlinkId],
+            [
+                (int)Heartbeat.MavlinkId, (int)GlobalPositionInt.MavlinkId, (int)Tunnel.MavlinkId,
+                (int)CommandAck.MavlinkId,
+            ],
             [(SystemId, (byte)MavComponent.OnboardComputer)]),
+    };
+
+    /// <summary>
+    /// What does not go over the link of a vehicle to its autopilot: what ground stations send by radio. An autopilot
+    /// that has received one returns when it is not received any more (ArduPilot's FS_GCS_ENABLE); in a group the
+    /// search goes on without.
+    /// </summary>
+    public static LinkSettings TelemetrySettings => new()
+    {
+        DenyOut = new LinkFilter(
+            [],
+            Enumerable.Range(0, SimulatedGroupOptions.MaxGroundStations)
+                .Select(i => ((byte)(SimulatedGroundStation.FirstSystemId - i), (byte?)null))),
     };
 
     /// <summary>When it is switched on, by the clock of the group: the time at which its own clock begins.</summary>

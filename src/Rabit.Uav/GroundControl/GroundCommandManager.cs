@@ -13,8 +13,9 @@ namespace Rabit.Uav.GroundControl;
 /// <summary>
 /// Receives what ground stations address to our component, gives it to Mission Control, and answers by its answers:
 /// commands, the values of the mission as parameters, a fence as another area to search, image chips of targets as
-/// files (docs/ground-stations.md). What is addressed to all components, or to the autopilot, is neither executed nor
-/// acknowledged; a list of parameters that is asked of all is sent.
+/// files (docs/ground-stations.md). A command to our component of all systems (system 0) is ours too. What is addressed
+/// to all components, or to the autopilot, is neither executed nor acknowledged; a list of parameters that is asked of
+/// all is sent.
 /// </summary>
 /// <example>
 /// <code>
@@ -33,6 +34,8 @@ public sealed class GroundCommandManager : RabitManager
     // Answers of Mission Control come with its ticks.
     private static readonly TimeSpan TickPeriod = TimeSpan.FromMilliseconds(100);
     private static readonly TimeSpan FrameValidity = TimeSpan.FromSeconds(2);
+
+    private static readonly MavlinkCommandServerOptions CommandOptions = new() { HandlesAllSystems = true };
 
     private readonly IMissionOperator _mission;
     private readonly Authority _authority;
@@ -100,7 +103,8 @@ public sealed class GroundCommandManager : RabitManager
         {
             var sender = new MavlinkSender(_ownAddress.Value.SystemId, _ownAddress.Value.ComponentId);
             _servers = new Servers(
-                sender, new MavlinkCommandServer(sender), new GroundParameters(_mission, _authority, sender),
+                sender, new MavlinkCommandServer(sender, CommandOptions),
+                new GroundParameters(_mission, _authority, sender),
                 new GroundAreas(_mission, _authority, sender, Announce),
                 _picture is null ? null : new TargetFiles(sender, _picture), new MavlinkPingClient(sender));
         }

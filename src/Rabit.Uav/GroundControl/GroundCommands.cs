@@ -77,6 +77,9 @@ internal static class GroundCommands
         };
         bool isTrack = command.Param2 >= 1 && command.Param2 <= 1_000_000
             && command.Param2.Equals((int)command.Param2);
+
+        // Each vehicle numbers its tracks itself.
+        isTrack &= command.Target.SystemId != 0;
         return what is { } action && (isTrack || action == OperatorCommand.SkipLane)
             ? new OperatorRequest(action, by, ReasonOf(command)) { TrackId = isTrack ? (int)command.Param2 : 0 }
             : null;

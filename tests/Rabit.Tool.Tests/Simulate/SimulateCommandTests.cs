@@ -47,6 +47,16 @@ public class SimulateCommandTests
         File.Delete(truth);
     }
 
+    // The line is written before the vehicle runs.
+    [Fact]
+    public void Interrupt_RightAfterTheStart_EndsIt()
+    {
+        using var vehicle = new SampleProcess("Rabit.Tool", "simulate", "--link", $"udpout:127.0.0.1:{FreePort()}");
+        vehicle.WaitUntil(() => vehicle.Output.Contains("Ctrl-C ends it", StringComparison.Ordinal));
+        vehicle.Interrupt();
+        Assert.Equal(0, vehicle.WaitForEnd());
+    }
+
     // As SITL: the ground station connects to TCP port 5760.
     [Fact]
     public void TcpServerAndSystemId_StationsConnectOneAfterTheOther_HeartbeatsOfThatSystem()

@@ -5,6 +5,7 @@ using System.Linq;
 using System.Text;
 using Rabit.Core;
 using Rabit.Links;
+using Rabit.Uav.GroundControl;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 
@@ -89,11 +90,19 @@ internal sealed class GroupFlight : IDisposable
             Camera = vehicle.World.CreateCamera(),
             Imaging = { Camera = vehicle.World.CameraModel, Mount = vehicle.World.CameraMount },
             Time = vehicle.Time,
+            GroundCommands = new GroundCommandOptions { SystemIds = [255, 254] },
             MissionControl = new MissionControlOptions
             {
                 Group = new GroupOptions { HeightLayer = number, LayerSpacingMetres = layerSpacingMetres },
             },
-            Communications = { LinkSettings = new Dictionary<int, LinkSettings> { [1] = vehicle.RadioSettings } },
+            Communications =
+            {
+                LinkSettings = new Dictionary<int, LinkSettings>
+                {
+                    [0] = SimulatedGroupVehicle.TelemetrySettings,
+                    [1] = vehicle.RadioSettings,
+                },
+            },
         });
         _systems.Add(uav);
         var log = new StringBuilder();

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Text.RegularExpressions;
 using Rabit.Core;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
@@ -78,6 +79,41 @@ public sealed class GroundCommandTests : IDisposable
         Run(1);
         Assert.NotEqual(MissionPhase.Holding, _flight.Status.Phase);
         Assert.All(Answers(), a => Assert.Equal(MavResult.Accepted, a.Result));
+    }
+
+    [Fact]
+    public void Command_ForOurComponentOfAllSystems_IsExecutedOnceAndAcknowledged()
+    {
+        Send(MavCmd.DoPauseContinue, 0, system: 0);
+        Run(0.5);
+        Send(MavCmd.DoPauseContinue, 0, system: 0);
+        Run(0.5);
+        Assert.All(Answers(), a => Assert.Equal((MavResult.Accepted, Station), (a.Result, a.TargetSystem)));
+        Assert.Equal(MissionPhase.Holding, _flight.Status.Phase);
+        Assert.Single(Regex.Matches(_flight.Story, "operator system 255 component 190: hold").Cast<Match>());
+    }
+
+    [Theory]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(4)]
+    public void Command_AboutATrackOfAllSystems_IsDenied(float action)
+    {
+        Send(MavCmd.User1, action, 1, system: 0);
+        Run(0.5);
+        Assert.Equal(MavResult.Denied, Assert.Single(Answers()).Result);
+    }
+
+    [Theory]
+    [InlineData(0, 0)]
+    [InlineData(0, 1)]
+    [InlineData(2, Us)]
+    public void Command_ForAllComponentsOrAnotherSystem_IsNeitherExecutedNorAcknowledged(byte system, byte component)
+    {
+        Send(MavCmd.NavReturnToLaunch, component: component, system: system);
+        Run(2);
+        Assert.Empty(Answers());
+        Assert.Equal(MissionPhase.Searching, _flight.Status.Phase);
     }
 
     [Theory]
@@ -181,12 +217,13 @@ public sealed class GroundCommandTests : IDisposable
         _flight.Dispose();
     }
 
-    private void Send(MavCmd command, float p1 = 0, float p2 = 0, byte component = Us, byte from = Station)
+    private void Send(
+        MavCmd command, float p1 = 0, float p2 = 0, byte component = Us, byte from = Station, byte system = 1)
         => Push(MavlinkFrame.Create(
             new CommandLong
             {
                 Command = command,
-                TargetSystem = 1,
+                TargetSystem = system,
                 TargetComponent = component,
                 Param1 = p1,
                 Param2 = p2,

@@ -17,7 +17,7 @@ public sealed class OperatorKeysTests
     private TimeSpan _now = TimeSpan.FromSeconds(100);
     private int _quits;
 
-    public OperatorKeysTests() => _keys = new OperatorKeys(_requests, () => _quits++);
+    public OperatorKeysTests() => _keys = new OperatorKeys(new MissionKeys(_requests), () => _quits++);
 
     [Theory]
     [InlineData("r", "return")]
@@ -114,7 +114,7 @@ public sealed class OperatorKeysTests
     public void Keys_WithoutAMission_OnlyQuit()
     {
         int quits = 0;
-        var keys = new OperatorKeys(mission: null, () => quits++);
+        var keys = new OperatorKeys(commands: null, () => quits++);
         foreach (char key in "rhc3vllqq")
         {
             keys.Press(key, _now);
@@ -145,7 +145,8 @@ public sealed class OperatorKeysTests
     [Fact]
     public void Line_Refused_SaysWhyForAWhile()
     {
-        var keys = new OperatorKeys(new MissionControlManager(new MissionControlOptions()), () => { });
+        var keys = new OperatorKeys(
+            new MissionKeys(new MissionControlManager(new MissionControlOptions())), () => { });
         keys.Press('h', _now);
         _now += TimeSpan.FromSeconds(0.3);
         keys.Update(_now);

@@ -1,0 +1,37 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Uav.Simulation;
+
+namespace UavConsole;
+
+/// <summary>The ground station of a simulated group: what it gives by the command line, and its log.</summary>
+internal sealed class GroupStation
+{
+    private readonly Queue<ScriptedCommand> _script;
+
+    /// <param name="station">The station.</param>
+    /// <param name="script">What it commands, in any order.</param>
+    /// <param name="log">Takes what it gave, and who obeyed.</param>
+    public GroupStation(SimulatedGroundStation station, IEnumerable<ScriptedCommand> script, RunLog log)
+    {
+        (Station, Log) = (station, log);
+        _script = new Queue<ScriptedCommand>(script.OrderBy(c => c.At));
+        station.OnDone = (now, command) => log.Note(now, command.Name + ": " + command.Answer);
+    }
+
+    /// <summary>Any thread may command it.</summary>
+    public SimulatedGroundStation Station { get; }
+
+    public RunLog Log { get; }
+
+    /// <summary>Gives what is due; the thread that simulates.</summary>
+    public void Update(TimeSpan now)
+    {
+        while (_script.Count > 0 && _script.Peek().At <= now)
+        {
+            ScriptedCommand due = _script.Dequeue();
+            Station.Command(due.Vehicle, due.Command, due.TrackId);
+        }
+    }
+}
