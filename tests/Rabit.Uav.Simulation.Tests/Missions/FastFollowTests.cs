@@ -1,0 +1,198 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using Rabit.Core;
+using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+using Xunit;
+using Xunit.Abstractions;
+
+namespace Rabit.Uav.Simulation.Tests.Missions;
+
+/// <summary>
+/// A car of up to 8 m/s that turns at every corner is followed for a minute, by pictures alone: how much of the time it
+/// is in view, how far its track is off, and whether the track says so. The table of docs/managers/mission-control.md.
+/// </summary>
+public sealed class FastFollowTests(ITestOutputHelper output)
+{
+    private const int Seeds = 10;
+
+    // A car that is lost before it was captured: in one flight of ten.
+    private const int MinCaptured = 9;
+
+    // Of the normal distribution, 95 % two-sided.
+    private const double Quantile = 1.96;
+    private const double Chi2Of95Percent = 5.991;
+
+    private const double CapturedMetres = 8;
+    private const double CapturedMetresPerSecond = 3;
+    private static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(1);
+
+    [Fact, Trait("Category", "Long")]
+    public void Follow_CameraHeldLevel_IsInViewAndItsTrackIsHonest()
+    {
+        FastFollowFigures[] all = FlyAll(SimulatedGimbal.FollowsHeading);
+        Assert.InRange(all.Sum(f => f.InView) / (double)all.Sum(f => f.Samples), 0.95, 1);
+        CheckTracks(all);
+    }
+
+    // The share in view of a camera that leans with the vehicle is printed, and not what is asked for: see the table.
+    [Fact, Trait("Category", "Long")]
+    public void Follow_CameraFixedToTheBody_TrackIsHonest()
+        => CheckTracks(FlyAll(SimulatedGimbal.AgainstBody));
+
+    private static void CheckTracks(FastFollowFigures[] all)
+    {
+        Assert.InRange(all.Length, MinCaptured, Seeds);
+        double squares = all.Sum(f => f.Errors.Sum(e => e.SquaredMetres));
+        Assert.InRange(Math.Sqrt(squares / all.Sum(f => f.Errors.Count)), 0, 4);
+        Assert.InRange(all.Average(f => f.MeanNees), NeesLimit(all.Length, -Quantile), NeesLimit(all.Length, Quantile));
+    }
+
+    // Chi-square with 2 degrees of freedom for each flight, over the flights (Wilson, Hilferty 1931). The errors of one
+    // flight are mostly one error of its position and attitude: it counts once, however many pictures it has.
+    private static double NeesLimit(int flights, double quantile)
+    {
+        double part = 2 / (9 * 2.0 * flights);
+        return 2 * Math.Pow(1 - part + (quantile * Math.Sqrt(part)), 3);
+    }
+
+    private FastFollowFigures[] FlyAll(SimulatedGimbal gimbal)
+    {
+        FastFollowFigures[] all = Enumerable.Range(1, Seeds).Select(seed => Fly(seed, gimbal))
+            .Where(f => f.IsCaptured).ToArray();
+        double squares = all.Sum(f => f.Errors.Sum(e => e.SquaredMetres));
+        Print("all", all.Sum(f => f.InView) / (double)all.Sum(f => f.Samples),
+            Math.Sqrt(squares / all.Sum(f => f.Errors.Count)), all.Average(f => f.MeanNees),
+            all.Average(f => f.ShareWithin), all.Average(f => f.MeanSpeed));
+        return all;
+    }
+
+    private FastFollowFigures Fly(int seed, SimulatedGimbal gimbal)
+    {
+        var options = new SimulationOptions
+        {
+            Seed = seed,
+            TargetCount = 1,
+            DistractorCount = 3,
+            Motions = [SimulatedMotion.Vehicle],
+            Camera = new SimulatedCameraOptions { Gimbal = gimbal },
+        };
+        options.TakePlacesFrom(SearchFlight.BundledPlan());
+        GimbalFrame frame = gimbal == SimulatedGimbal.AgainstBody ? GimbalFrame.Body : GimbalFrame.Heading;
+        using var flight = new SearchFlight(
+            Plan(new SimulatedWorld(options).Targets.First().Class), options, new VirtualTime(seed), [],
+            change: control => control.GimbalFrame = frame);
+        var figures = new FastFollowFigures();
+        SimulatedTarget target = flight.World.Targets.First();
+        flight.FlyUntil(f => Take(f, target, figures), TimeSpan.FromMinutes(12));
+        flight.End();
+        if (!figures.IsCaptured)
+        {
+            output.WriteLine($"seed {seed}: lost before it was captured");
+            return figures;
+        }
+
+        Print(
+            string.Format(CultureInfo.InvariantCulture, "seed {0}", seed), figures.InView / (double)figures.Samples,
+            Math.Sqrt(figures.Errors.Sum(e => e.SquaredMetres) / figures.Errors.Count), figures.MeanNees,
+            figures.ShareWithin, figures.MeanSpeed);
+        return figures;
+    }
+
+    private static MissionPlan Plan(TargetClassName name) => MissionPlan.Parse(
+        SearchFlight.BundledText.Replace(
+            "\"targets\"",
+            $"\"targetMotions\": {{ \"{name}\": \"vehicle\" }}, "
+            + "\"revisit\": { \"followSpeedMetresPerSecond\": 12, \"followSeconds\": 60 }, \"targets\""),
+        "moving");
+
+    // Whether it is over: the vehicle that had captured the target goes on with its search.
+    private static bool Take(SearchFlight flight, SimulatedTarget target, FastFollowFigures figures)
+    {
+        string text = flight.Mission.Text ?? string.Empty;
+        string? number = text.StartsWith("following track ", StringComparison.Ordinal)
+            || text.StartsWith("searching for track ", StringComparison.Ordinal)
+            ? text.Substring(text.LastIndexOf(' ') + 1)
+            : null;
+        if (number is null)
+            return flight.IsOver || figures.IsCaptured;
+        TargetTrack? track = flight.Tracks.Tracks.FirstOrDefault(
+            t => t.Id.ToString(CultureInfo.InvariantCulture) == number);
+        bool isInView = track is not null && flight.Reactor.Now - track.LastSeen <= MaxAge;
+        figures.IsCaptured |= isInView && IsBelow(flight, target);
+        if (figures.IsCaptured)
+            figures.Add(isInView, Horizontal(target.VelocityAt(flight.Reactor.Now)));
+        if (figures.IsCaptured && isInView)
+            figures.Add(track!.Time, ErrorOf(flight, track, target));
+        return flight.IsOver;
+    }
+
+    // From there on it is captured: before, it may have left the picture while the vehicle turned to it.
+    private static bool IsBelow(SearchFlight flight, SimulatedTarget target)
+    {
+        TruePose pose = flight.World.Truth.Pose;
+        NedVector off = target.PositionAt(flight.Reactor.Now) - pose.Position;
+        NedVector apart = target.VelocityAt(flight.Reactor.Now) - pose.VelocityNed;
+        return Horizontal(off) <= CapturedMetres && Horizontal(apart) <= CapturedMetresPerSecond;
+    }
+
+    private static (double SquaredMetres, double Nees) ErrorOf(
+        SearchFlight flight, TargetTrack track, SimulatedTarget target)
+    {
+        GeodeticPosition truth = flight.World.PositionOf(target.PositionAt(track.Time));
+        NedVector off = LocalNedFrame.IgnoringGeoid(truth).ToNed(track.Position) - NedPosition.Origin;
+        HorizontalCovariance p = track.Covariance;
+        double determinant = (p.NorthNorth * p.EastEast) - (p.NorthEast * p.NorthEast);
+        double nees = ((off.North * off.North * p.EastEast) - (2 * off.North * off.East * p.NorthEast)
+            + (off.East * off.East * p.NorthNorth)) / determinant;
+        return ((off.North * off.North) + (off.East * off.East), nees);
+    }
+
+    private static double Horizontal(NedVector v) => Math.Sqrt((v.North * v.North) + (v.East * v.East));
+
+    private void Print(string what, double inView, double rmse, double nees, double within, double speed)
+        => output.WriteLine(string.Format(
+            CultureInfo.InvariantCulture,
+            "{0}: in view {1:0.000}, RMSE {2:0.00} m, mean NEES {3:0.00}, in the 95 % ellipse {4:0.00}, {5:0.0} m/s",
+            what, inView, rmse, nees, within, speed));
+
+    private sealed class FastFollowFigures
+    {
+        private TimeSpan _last;
+        private double _speeds;
+
+        public bool IsCaptured { get; set; }
+
+        public int Samples { get; private set; }
+
+        public int InView { get; private set; }
+
+        public List<(double SquaredMetres, double Nees)> Errors { get; } = [];
+
+        public double MeanNees => Errors.Average(e => e.Nees);
+
+        public double ShareWithin => Errors.Count(e => e.Nees <= Chi2Of95Percent) / (double)Errors.Count;
+
+        public double MeanSpeed => _speeds / Samples;
+
+        public void Add(bool isInView, double speed)
+        {
+            Samples++;
+            InView += isInView ? 1 : 0;
+            _speeds += speed;
+        }
+
+        // Each state of the track counts once.
+        public void Add(TimeSpan time, (double SquaredMetres, double Nees) error)
+        {
+            if (time == _last)
+                return;
+            _last = time;
+            Errors.Add(error);
+        }
+    }
+}
