@@ -27,16 +27,10 @@ internal static class SimulationArguments
         HelpName = "NAME",
     };
 
-    private static readonly (string Name, SimulatedTargetKind Kind)[] Kinds =
-    [
-        ("coloured", SimulatedTargetKind.ColouredPanel), ("aruco", SimulatedTargetKind.ArUcoMarker),
-        ("apriltag", SimulatedTargetKind.AprilTagMarker),
-    ];
-
     private static readonly Option<SimulatedTargetKind[]> TargetKinds = new("--target-kinds")
     {
-        Description = "What the simulated targets are, in turn, by commas: " + NamesOfKinds + ". The mission also "
-            + "searches for their classes. coloured without it.",
+        Description = "What the simulated targets are, in turn, by commas: " + SimulatedTargetKindNames.All + ". "
+            + "The mission also searches for their classes. coloured without it.",
         HelpName = "NAMES",
         CustomParser = ParseKinds,
         AllowMultipleArgumentsPerToken = false,
@@ -57,8 +51,6 @@ internal static class SimulationArguments
     }
 
     public static IEnumerable<Option> All => [Gimbal, TargetKinds, PartlyHidden, Effects];
-
-    private static string NamesOfKinds => string.Join(", ", Kinds.Select(k => k.Name));
 
     /// <summary>Puts what was asked for into the options of the world.</summary>
     public static SimulatedLook Read(ParseResult result) => new()
@@ -85,11 +77,10 @@ internal static class SimulationArguments
         var kinds = new List<SimulatedTargetKind>();
         foreach (string name in result.Tokens.SelectMany(t => t.Value.Split(',')))
         {
-            int at = Array.FindIndex(Kinds, k => k.Name == name);
-            if (at >= 0)
-                kinds.Add(Kinds[at].Kind);
+            if (SimulatedTargetKindNames.TryParse(name, out SimulatedTargetKind kind))
+                kinds.Add(kind);
             else
-                result.AddError($"--target-kinds: '{name}' is no kind of target; there are {NamesOfKinds}.");
+                result.AddError(SimulatedTargetKindNames.Fault("--target-kinds", name));
         }
 
         return kinds.ToArray();

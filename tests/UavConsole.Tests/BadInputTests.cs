@@ -88,7 +88,8 @@ public sealed class BadInputTests : IDisposable
         "--px4-events /nowhere/e.json cannot be read: ")]
     [InlineData("--moving 51", "--moving 51: it must be a number from 0 to 50.")]
     [InlineData("--target-kinds coloured,tank",
-        "--target-kinds: 'tank' is no kind of target; there are coloured, aruco, apriltag.")]
+        "--target-kinds: 'tank' is no kind of target; there are coloured, white, black, two-coloured, person, "
+        + "car, aruco, apriltag.")]
     [InlineData("--partly-hidden -1", "--partly-hidden -1: it must be a number from 0 to 50.")]
     [InlineData("--link udpin:127.0.0.1:14550 --target-kinds aruco", "--target-kinds is for the simulation")]
     [InlineData("--link udpin:127.0.0.1:14550 --partly-hidden 1", "--partly-hidden is for the simulation")]

@@ -41,6 +41,22 @@ internal static class SimulateCommand
             CustomParser = result => (int)ParseNumber(result, "--targets", 0, MaxTargets),
             DefaultValueFactory = _ => defaults.TargetCount,
         };
+        var kinds = new Option<SimulatedTargetKind[]>("--target-kinds")
+        {
+            Description = "What the targets are, in turn, by commas: " + SimulatedTargetKindNames.All
+                + ". coloured without it.",
+            HelpName = "NAMES",
+            CustomParser = ParseKinds,
+            AllowMultipleArgumentsPerToken = false,
+            DefaultValueFactory = _ => [],
+        };
+        var hidden = new Option<int>("--partly-hidden")
+        {
+            Description = "How many of the targets, the first that are no markers, are overgrown in part.",
+            HelpName = "N",
+            CustomParser = result => (int)ParseNumber(result, "--partly-hidden", 0, MaxTargets),
+            DefaultValueFactory = _ => 0,
+        };
         var wind = new Option<double>("--wind")
         {
             Description = "Mean wind in m/s, 0 to 25.",
@@ -103,7 +119,7 @@ internal static class SimulateCommand
             "simulate",
             "A simulated multirotor in real time that speaks MAVLink as ArduPilot's Copter or PX4 does, until Ctrl-C.")
         {
-            link, systemId, group, autopilot, seed, targets, wind, mission, camera, truth, signKey,
+            link, systemId, group, autopilot, seed, targets, kinds, hidden, wind, mission, camera, truth, signKey,
         };
         command.SetAction(result => VehicleRun.Run(new VehicleOptions(
             result.GetValue(link)!,
@@ -113,6 +129,8 @@ internal static class SimulateCommand
                 Autopilot = result.GetValue(autopilot),
                 Seed = result.GetValue(seed),
                 TargetCount = result.GetValue(targets),
+                TargetKinds = result.GetValue(kinds)!,
+                PartlyHiddenCount = result.GetValue(hidden),
                 WindMetresPerSecond = result.GetValue(wind),
             },
             result.GetValue(mission),
@@ -143,6 +161,15 @@ internal static class SimulateCommand
         if (!string.Equals(text, "ardupilot", StringComparison.OrdinalIgnoreCase))
             result.AddError($"--autopilot {text}: it must be ardupilot or px4.");
         return SimulatedAutopilot.ArduPilot;
+    }
+
+    private static SimulatedTargetKind[] ParseKinds(ArgumentResult result)
+    {
+        string[] names = result.Tokens.SelectMany(t => t.Value.Split(',')).ToArray();
+        foreach (string name in names.Where(n => !SimulatedTargetKindNames.TryParse(n, out _)))
+            result.AddError(SimulatedTargetKindNames.Fault("--target-kinds", name));
+        return Array.ConvertAll(
+            names, n => SimulatedTargetKindNames.TryParse(n, out SimulatedTargetKind kind) ? kind : default);
     }
 
     private static long ParseNumber(ArgumentResult result, string option, long low, long high)

@@ -56,9 +56,9 @@ internal static class TargetLooks
             SimulatedTargetKind.BlackPanel => Panel("black", Black),
             SimulatedTargetKind.TwoColouredPanel => (choice % 3) switch
             {
-                0 => Panel("red-white", SurfacePattern.Of([Red, White], "0", "1")),
-                1 => Panel("blue-yellow", SurfacePattern.Of([Blue, Yellow], "0", "1")),
-                _ => Panel("black-white", SurfacePattern.Of([Black, White], "01", "10")),
+                0 => Panel("red-white", Red, White, "0", "1"),
+                1 => Panel("blue-yellow", Blue, Yellow, "0", "1"),
+                _ => Panel("black-white", Black, White, "01", "10"),
             },
             SimulatedTargetKind.Person => Person(Jackets[first % Jackets.Length]),
             SimulatedTargetKind.Car => Car(Paints[first % Paints.Length]),
@@ -68,10 +68,13 @@ internal static class TargetLooks
         };
     }
 
-    private static TargetLook Panel(string name, SurfaceColour colour) => Panel(name, SurfacePattern.Of(colour));
+    private static TargetLook Panel(string name, SurfaceColour colour)
+        => new(name + " panel", new TargetClass(name) { Colour = RangeOf(colour) }, 1, 1, SurfacePattern.Of(colour));
 
-    private static TargetLook Panel(string name, SurfacePattern pattern)
-        => new(name + " panel", new TargetClass(name) { Colour = RangeOf(pattern.Main) }, 1, 1, pattern);
+    private static TargetLook Panel(string name, SurfaceColour one, SurfaceColour other, params string[] cells)
+        => new(
+            name + " panel", new TargetClass(name) { Colour = RangeOf(one), SecondColour = RangeOf(other) }, 1, 1,
+            SurfacePattern.Of([one, other], cells));
 
     private static TargetLook Person(SurfaceColour jacket) => new(
         "person",

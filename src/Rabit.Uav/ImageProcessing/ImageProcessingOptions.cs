@@ -48,8 +48,9 @@ public sealed class ImageProcessingOptions
     /// <value>
     /// The default, null, is a <see cref="ColourTargetDetector"/> of <see cref="TargetClasses"/>, a
     /// <see cref="PanelTargetDetector"/> of those of two colours, of black or white, a
-    /// <see cref="MarkerTargetDetector"/> of those that are markers, and a <see cref="TemplateTargetDetector"/> of
-    /// those that have a template. Of a thermal camera it is a <see cref="HotSpotTargetDetector"/>.
+    /// <see cref="MarkerTargetDetector"/> of those that are markers, a <see cref="TemplateTargetDetector"/> of those
+    /// that have a template, and a <see cref="ShapeTargetDetector"/> of those that have parts of another colour. Of a
+    /// thermal camera it is a <see cref="HotSpotTargetDetector"/>.
     /// </value>
     public ITargetDetector? Detector { get; set; }
 
@@ -162,20 +163,26 @@ public sealed class ImageProcessingOptions
         ImmutableArray<TargetClass> coloured = [.. TargetClasses.Where(c => c.IsColoured)];
         ImmutableArray<TargetClass> markers = [.. TargetClasses.Where(c => c.Marker is not null)];
         ImmutableArray<TargetClass> templates = [.. TargetClasses.Where(c => c.Template is not null)];
+        ImmutableArray<TargetClass> panels = [.. TargetClasses.Where(c => c.IsPanel)];
+        ImmutableArray<TargetClass> shaped = [.. TargetClasses.Where(c => c.IsShaped)];
+
+        // What is found by more than its colour comes first, and last what may be anything of its colour.
         var parts = ImmutableArray.CreateBuilder<PartDetector>();
+        if (!markers.IsEmpty)
+            parts.Add(new PartDetector(new MarkerTargetDetector(markers), markers));
+        if (!panels.IsEmpty)
+            parts.Add(new PartDetector(new PanelTargetDetector(panels), panels));
+        if (!templates.IsEmpty)
+            parts.Add(new PartDetector(new TemplateTargetDetector(templates), templates));
         if (!coloured.IsEmpty)
         {
             parts.Add(new PartDetector(
                 new ColourTargetDetector(coloured, ColourDetector, Errors.PixelNoise), coloured));
         }
 
-        ImmutableArray<TargetClass> panels = [.. TargetClasses.Where(c => c.IsPanel)];
-        if (!panels.IsEmpty)
-            parts.Add(new PartDetector(new PanelTargetDetector(panels), panels));
-        if (!markers.IsEmpty)
-            parts.Add(new PartDetector(new MarkerTargetDetector(markers), markers));
-        if (!templates.IsEmpty)
-            parts.Add(new PartDetector(new TemplateTargetDetector(templates), templates));
+        if (!shaped.IsEmpty)
+            parts.Add(new PartDetector(new ShapeTargetDetector(shaped), shaped));
+
         return parts.Count == 1 ? parts[0].Detector : new CombinedTargetDetector(parts.ToImmutable());
     }
 

@@ -60,8 +60,9 @@ public sealed class TargetClass
 
     /// <summary>
     /// The least part of it that shows its colour: less than 1 for what has parts of another one, as a car has windows.
+    /// Such a class is found by <see cref="ImageProcessing.ShapeTargetDetector"/>.
     /// </summary>
-    /// <value>The default is 1. <see cref="ImageProcessing.ColourTargetDetector"/> does not use it.</value>
+    /// <value>The default is 1.</value>
     public double MinColourShare { get; init; } = 1;
 
     /// <summary>
@@ -100,11 +101,15 @@ public sealed class TargetClass
     /// Whether <see cref="ImageProcessing.PanelTargetDetector"/> finds it: a panel of two colours, of black or of
     /// white.
     /// </summary>
-    public bool IsPanel => Colour is not null && Marker is null && Template is null && HotSpot is null
+    public bool IsPanel => Colour is not null && Marker is null && Template is null && HotSpot is null && !IsShaped
         && (SecondColour is not null || PanelColours.IsBlack(Colour) || PanelColours.IsWhite(Colour));
 
+    /// <summary>Whether it is found by its form, since only a part of it shows its colour.</summary>
+    internal bool IsShaped => Colour is not null && SecondColour is null && Marker is null && Template is null
+        && HotSpot is null && MinColourShare < 1;
+
     /// <summary>Whether it is found by its one colour: what has nothing else to be found by.</summary>
-    internal bool IsColoured => Marker is null && Template is null && HotSpot is null && !IsPanel;
+    internal bool IsColoured => Marker is null && Template is null && HotSpot is null && !IsPanel && !IsShaped;
 
     // What must be resolved of it as four pixels are of a panel: of a marker, that its cells can be read, and of a
     // template, its edges.

@@ -46,6 +46,7 @@ internal static class MissionTargetClassReader
             MaxSideMetres = one.Number("maxSideMetres") ?? Default.MaxSideMetres,
             MinAspect = one.Number("minAspect") ?? Default.MinAspect,
             MaxAspect = one.Number("maxAspect") ?? Default.MaxAspect,
+            MinColourShare = one.Number("minColourShare") ?? Default.MinColourShare,
         };
         one.RefuseOthers();
         return read;

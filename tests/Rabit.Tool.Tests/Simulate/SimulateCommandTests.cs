@@ -80,6 +80,8 @@ public class SimulateCommandTests
     [InlineData("--link", "tlog:flight.tlog", "live link")]
     [InlineData("--targets", "many", "--targets many")]
     [InlineData("--wind", "-3", "0 to 25")]
+    [InlineData("--target-kinds", "person,tank", "'tank' is no kind of target; there are coloured, white,")]
+    [InlineData("--partly-hidden", "-1", "--partly-hidden -1")]
     [InlineData("--system-id", "255", "1 to 254")]
     [InlineData("--group", "1", "2 to 8")]
     [InlineData("--mission", "no-such-file.json", "no-such-file.json")]

@@ -66,6 +66,33 @@ public sealed class TargetKindTests
     }
 
     [Fact]
+    public void Place_TwoColouredPanels_DeclareBothColours()
+    {
+        TargetClass[] declared =
+            [.. TargetField.Place(3, Area, 3, 0, [SimulatedTargetKind.TwoColouredPanel], 0).Select(t => t.Declared!)];
+
+        Assert.Equal(
+            ["black-white", "blue-yellow", "red-white"], declared.Select(c => c.Name.ToString()).OrderBy(n => n));
+        Assert.All(declared, c => Assert.True(c.IsPanel && c.SecondColour is not null));
+        _ = new PanelTargetDetector([.. declared]);
+    }
+
+    [Fact]
+    public void Names_EveryKind_HasOneThatIsReadBack()
+    {
+        foreach (SimulatedTargetKind kind in All)
+        {
+            Assert.True(SimulatedTargetKindNames.TryParse(SimulatedTargetKindNames.NameOf(kind), out var read));
+            Assert.Equal(kind, read);
+        }
+
+        Assert.False(SimulatedTargetKindNames.TryParse("Coloured", out _));
+        Assert.False(SimulatedTargetKindNames.TryParse(null, out _));
+        Assert.Throws<ArgumentOutOfRangeException>(() => SimulatedTargetKindNames.NameOf((SimulatedTargetKind)8));
+        Assert.Equal(8, SimulatedTargetKindNames.All.Split(',').Length);
+    }
+
+    [Fact]
     public void Place_SameSeed_LooksTheSameAndAnotherSeedOther()
     {
         string one = Looks(5);

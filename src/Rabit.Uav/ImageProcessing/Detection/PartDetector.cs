@@ -15,9 +15,18 @@ internal sealed class PartDetector(ITargetDetector detector, ImmutableArray<Targ
     {
         IsWanted = false;
         foreach (TargetClass one in wanted)
+            IsWanted |= Has(one.Name);
+    }
+
+    /// <summary>Whether it is for a class.</summary>
+    public bool Has(TargetClassName name)
+    {
+        foreach (TargetClass own in classes)
         {
-            foreach (TargetClass own in classes)
-                IsWanted |= own.Name == one.Name;
+            if (own.Name == name)
+                return true;
         }
+
+        return false;
     }
 }

@@ -1,0 +1,98 @@
+using System;
+using System.Collections.Immutable;
+using System.Linq;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+using Rabit.Vision;
+using Xunit;
+
+namespace Rabit.Uav.Tests.ImageProcessing;
+
+/// <summary>The default detector of classes of several kinds: a part of a thing is not another thing.</summary>
+public sealed class CombinedTargetDetectorTests
+{
+    private const double MetresPerPixel = 1.0 / 13;
+
+    private static readonly (double, double, double) White = (236, 236, 232);
+    private static readonly (double, double, double) Red = (205, 28, 32);
+    private static readonly (double, double, double) Blue = (28, 72, 205);
+    private static readonly (double, double, double) Glass = (30, 36, 42);
+
+    private static readonly TargetClass Car = new("car")
+    {
+        Colour = new ColourRange(28, 72, 205), MinSideMetres = 2.3, MaxSideMetres = 3.6, MinAspect = 1.7,
+        MaxAspect = 3.2, MinColourShare = 0.65,
+    };
+
+    private static readonly TargetClass Signal = new("signal")
+    {
+        Colour = new ColourRange(205, 28, 32), SecondColour = new ColourRange(236, 236, 232),
+    };
+
+    private readonly TargetDetection[] _found = new TargetDetection[16];
+
+    [Fact]
+    public void Detect_PanelThatIsMostlyRed_IsThatPanelAndNoRedOne()
+    {
+        ImmutableArray<TargetClass> classes = [.. TargetClass.Defaults, Signal];
+
+        // Its red part is as large as a red panel.
+        var painting = new Painting(5);
+        painting.Rectangle(Red, 200, 150, 14, 10, 0);
+        painting.Rectangle(White, 200, 157, 14, 4, 0);
+        painting.Panel(DefaultTargetClasses.Red, 400, 300, 13, 0.2);
+        byte[] picture = painting.Finish();
+
+        Assert.Equal(["red", "red"], ClassesOf(Search(picture, TargetClass.Defaults, TargetClass.Defaults)));
+        Assert.Equal(["red", "signal"], ClassesOf(Search(picture, classes, classes)));
+        Assert.Equal(["signal"], ClassesOf(Search(picture, classes, [Signal])));
+    }
+
+    [Fact]
+    public void Detect_CarOfThePanelsColour_IsACarAndThePanelAPanel()
+    {
+        ImmutableArray<TargetClass> classes = [.. TargetClass.Defaults, Car];
+        var painting = new Painting(6);
+        painting.Rectangle(Blue, 200, 150, 4.4 / MetresPerPixel, 1.8 / MetresPerPixel, 0.3);
+        painting.Rectangle(Glass, 200, 150, 0.6 / MetresPerPixel, 1.4 / MetresPerPixel, 0.3);
+        painting.Panel(DefaultTargetClasses.Blue, 400, 300, 13, 0.2);
+
+        Assert.Equal(["blue", "car"], ClassesOf(Search(painting.Finish(), classes, classes)));
+    }
+
+    [Fact]
+    public void MissionFile_MinColourShare_IsReadAndFoundByForm()
+    {
+        MissionPlan plan = MissionPlan.Parse(
+            """
+            {
+              "area": [[47.0, 8.0], [47.001, 8.0], [47.001, 8.001]], "heightMetres": 40, "speedMetresPerSecond": 5,
+              "laneSpacingMetres": 20,
+              "targetClasses": { "car": { "colour": "#f0f0f0", "minColourShare": 0.65, "minSideMetres": 2.3,
+                "maxSideMetres": 3.6, "minAspect": 1.7, "maxAspect": 3.2 } }
+            }
+            """,
+            "field.json");
+        TargetClass read = plan.TargetClasses.Single();
+        Assert.Equal(0.65, read.MinColourShare);
+        Assert.False(read.IsPanel || read.IsColoured);
+        Assert.IsType<ShapeTargetDetector>(
+            new ImageProcessingOptions { TargetClasses = plan.TargetClasses }.CreateDetector());
+    }
+
+    private TargetDetection[] Search(
+        byte[] picture, ImmutableArray<TargetClass> declared, ImmutableArray<TargetClass> wanted)
+    {
+        ITargetDetector detector = new ImageProcessingOptions { TargetClasses = declared }.CreateDetector();
+        var input = new DetectorInput(
+            picture, Painting.Width, Painting.Height, wanted, PictureGroundScale.Uniform(MetresPerPixel));
+        DetectorResult result = detector.Detect(input, _found);
+        Assert.Null(result.Refusal);
+        return _found.Take(result.Count).ToArray();
+    }
+
+    private static string[] ClassesOf(TargetDetection[] found)
+        => [.. found.Select(f => f.Class.ToString()).OrderBy(n => n, StringComparer.Ordinal)];
+}
