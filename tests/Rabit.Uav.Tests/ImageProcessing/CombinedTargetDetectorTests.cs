@@ -22,13 +22,18 @@ public sealed class CombinedTargetDetectorTests
 
     private static readonly TargetClass Car = new("car")
     {
-        Colour = new ColourRange(28, 72, 205), MinSideMetres = 2.3, MaxSideMetres = 3.6, MinAspect = 1.7,
-        MaxAspect = 3.2, MinColourShare = 0.65,
+        Colour = new ColourRange(28, 72, 205),
+        MinSideMetres = 2.3,
+        MaxSideMetres = 3.6,
+        MinAspect = 1.7,
+        MaxAspect = 3.2,
+        MinColourShare = 0.65,
     };
 
     private static readonly TargetClass Signal = new("signal")
     {
-        Colour = new ColourRange(205, 28, 32), SecondColour = new ColourRange(236, 236, 232),
+        Colour = new ColourRange(205, 28, 32),
+        SecondColour = new ColourRange(236, 236, 232),
     };
 
     private readonly TargetDetection[] _found = new TargetDetection[16];
