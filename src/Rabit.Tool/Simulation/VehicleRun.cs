@@ -21,6 +21,7 @@ namespace Rabit.Tool.Simulation;
 internal static class VehicleRun
 {
     private static readonly TimeSpan ShowEvery = TimeSpan.FromMilliseconds(100);
+    private static readonly TimeSpan PollUntilWired = TimeSpan.FromMilliseconds(5);
 
     // Ctrl-C must end all within a second.
     private static readonly TimeSpan StopTimeout = TimeSpan.FromMilliseconds(300);
@@ -92,9 +93,14 @@ internal static class VehicleRun
         if (folder is not null)
             reactor.Add(new CameraRecorderManager(world.CreateCamera(), new PictureFolderWriter(folder)));
         var line = new StatusLine(console.Output, console.Error);
-        line.Write($"simulated vehicle, seed {options.World.Seed}, on {options.Link}; Ctrl-C ends it");
-
         Task<ReactorResult> run = reactor.RunAsync();
+
+        // Once it is wired the reactor takes signals. On Mono nothing else does where the output is no terminal.
+        while (!reactor.IsWired && !run.Wait(PollUntilWired))
+        {
+        }
+
+        line.Write($"simulated vehicle, seed {options.World.Seed}, on {options.Link}; Ctrl-C ends it");
         while (!run.Wait(ShowEvery))
         {
             if (Volatile.Read(ref isInterrupted))

@@ -47,7 +47,7 @@ public class SimulateCommandTests
         File.Delete(truth);
     }
 
-    // The line is written before the vehicle runs.
+    // The line is written as soon as the program takes signals, before the vehicle runs.
     [Fact]
     public void Interrupt_RightAfterTheStart_EndsIt()
     {
