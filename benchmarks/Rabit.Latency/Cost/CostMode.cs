@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Threading;
 using Rabit.Core;
 using Rabit.Latency.Idle;
 using Rabit.Latency.Measuring;
@@ -20,15 +19,16 @@ internal static class CostMode
     private static Table OfManagers(RunOptions options)
     {
         Subject threads = Managers(
-            options, "200 threads on AutoResetEvents", 200, n => new BaselineSleepers(OnEvent, n));
+            options, "200 threads on AutoResetEvents", 200, n => BaselineSleepers.OnEvents(Period, n));
         Subject rabit = Managers(options, "200 managers", 200, Rabit);
+        int many = options.Pick(300, 1000);
         List<Subject> subjects =
         [
             threads,
             Managers(options, "1 manager", 1, Rabit),
             Managers(options, "30 managers", 30, Rabit),
             rabit,
-            Managers(options, "1000 managers", options.Pick(300, 1000), Rabit),
+            Managers(options, $"{many} managers", many, Rabit),
         ];
         Rounds.Run(subjects, options.Pick(1, options.Rounds));
         var table = new Table(
@@ -70,11 +70,12 @@ internal static class CostMode
 
     private static Table OfMessages(RunOptions options)
     {
+        int many = options.Pick(1000, 10_000);
         List<Subject> subjects =
         [
             Messages("1 message", 1),
             Messages("100 messages", 100),
-            Messages("10 000 messages", options.Pick(1000, 10_000)),
+            Messages($"{many} messages", many),
         ];
         Rounds.Run(subjects, options.Pick(1, options.Rounds));
         return new Table(
@@ -96,10 +97,4 @@ internal static class CostMode
         ProcessState with = ProcessState.Now();
         return [started, (with.HeapBytes - before.HeapBytes) / (double)number, messages.PostAll()];
     });
-
-    private static (Action Sleep, Action Wake) OnEvent()
-    {
-        var signal = new AutoResetEvent(initialState: false);
-        return (() => signal.WaitOne(Period), () => signal.Set());
-    }
 }

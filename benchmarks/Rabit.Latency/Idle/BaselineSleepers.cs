@@ -32,6 +32,15 @@ internal sealed class BaselineSleepers : Sleepers
         _threads.ForEach(t => t.Start());
     }
 
+    /// <summary>Threads that wait for an <see cref="AutoResetEvent"/> of their own.</summary>
+    public static BaselineSleepers OnEvents(TimeSpan period, int number = Number) => new(
+        () =>
+        {
+            var signal = new AutoResetEvent(initialState: false);
+            return (() => signal.WaitOne(period), () => signal.Set());
+        },
+        number);
+
     public override void Dispose()
     {
         _stopped = true;

@@ -32,7 +32,7 @@ internal static class IdleMode
         [
             byFutex,
             nothing,
-            Row("AutoResetEvent.WaitOne(period)", seconds, () => new BaselineSleepers(() => OnEvent(period))),
+            Row("AutoResetEvent.WaitOne(period)", seconds, () => BaselineSleepers.OnEvents(period)),
             Row("SemaphoreSlim.Wait(period)", seconds, () => new BaselineSleepers(() => OnSemaphore(period))),
             futex,
             byEvent,
@@ -63,12 +63,6 @@ internal static class IdleMode
         var word = new FutexWord();
         long deadline = MonotonicClock.Now;
         return (() => word.WaitUntil(deadline += period), word.Set);
-    }
-
-    private static (Action Sleep, Action Wake) OnEvent(TimeSpan period)
-    {
-        var signal = new AutoResetEvent(initialState: false);
-        return (() => signal.WaitOne(period), () => signal.Set());
     }
 
     private static (Action Sleep, Action Wake) OnSemaphore(TimeSpan period)

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Threading;
 using Rabit.Core;
 using Rabit.Latency.Idle;
 using Rabit.Latency.Measuring;
@@ -16,7 +15,7 @@ internal static class StopMode
 
     public static Table Run(RunOptions options)
     {
-        Subject baseline = Row("AutoResetEvent", () => new BaselineSleepers(OnEvent));
+        Subject baseline = Row("AutoResetEvent", () => BaselineSleepers.OnEvents(Long));
         Subject futex = Row(RabitRun.NameOf(WaitEngine.Futex), () => new RabitSleepers(WaitEngine.Futex, Long));
         Subject byEvent = Row(RabitRun.NameOf(WaitEngine.Event), () => new RabitSleepers(WaitEngine.Event, Long));
         List<Subject> subjects = [baseline, futex, byEvent];
@@ -37,10 +36,4 @@ internal static class StopMode
         sleepers.Dispose();
         return [(MonotonicClock.Now - start) / 1e6];
     });
-
-    private static (Action Sleep, Action Wake) OnEvent()
-    {
-        var signal = new AutoResetEvent(initialState: false);
-        return (() => signal.WaitOne(Long), () => signal.Set());
-    }
 }
