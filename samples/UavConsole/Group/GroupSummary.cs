@@ -22,9 +22,10 @@ internal static class GroupSummary
             .OrderByDescending(s => s.Found).ThenBy(s => s.FalseTracks.Count).First();
         TruePose[] flown = flight.Group.Vehicles.SelectMany(v => v.World.Truth.Path.Where(p => p.Position.Down < 0))
             .ToArray();
-        return new GroupFlightSummary(vehicles
+        GroupVehicleSummary[] all = vehicles
             .Select((v, i) => Of(flight, flight.Vehicles[i], v, i < reports.Count ? reports[i] : string.Empty))
-            .ToArray())
+            .ToArray();
+        return new GroupFlightSummary(all)
         {
             Name = flight.Mission.Name,
             Source = $"simulated: {FlightText.Number((long)vehicles.Count)} vehicles, seed "
@@ -33,7 +34,7 @@ internal static class GroupSummary
             Seed = options.Seed,
             FlightTime = flown.Length == 0 ? TimeSpan.Zero : flown.Max(p => p.Time) - flown.Min(p => p.Time),
             Score = score,
-            Failures = FailuresOf(flight, vehicles, score).ToArray(),
+            Failures = FailuresOf(flight, new GroupFlightSummary(all), score).ToArray(),
         };
     }
 
@@ -58,11 +59,9 @@ internal static class GroupSummary
         };
     }
 
-    private static IEnumerable<string> FailuresOf(
-        GroupFlight flight, IReadOnlyList<FlightSummary> vehicles, MissionScore score) => vehicles
-        .SelectMany((v, i) => new MissionSummary(v.Record, score: null).Failures
-            .Select(f => $"vehicle {FlightText.Number(i + 1L)}: {f}"))
-        .Concat(score.Targets.Where(t => !t.IsFound).Select(t => $"target {t.Name} was not found"))
-        .Concat(score.FalseTracks.Select(t => $"a confirmed {t.Class} is no target"))
-        .Concat(flight.Group.TooNear.Select(GroupSummaryText.Of));
+    private static IEnumerable<string> FailuresOf(GroupFlight flight, GroupFlightSummary group, MissionScore score)
+        => group.VehicleFailures
+            .Concat(score.Targets.Where(t => !t.IsFound).Select(t => $"target {t.Name} was not found"))
+            .Concat(score.FalseTracks.Select(t => $"a confirmed {t.Class} is no target"))
+            .Concat(flight.Group.TooNear.Select(GroupSummaryText.Of));
 }

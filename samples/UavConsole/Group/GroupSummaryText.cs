@@ -17,6 +17,8 @@ internal static class GroupSummaryText
         output.WriteLine("mission: " + (summary.HasPassed ? "ACCOMPLISHED" : "FAILED"));
         foreach (string failure in summary.Failures)
             output.WriteLine("  failed: " + failure);
+        foreach (string remark in summary.Remarks)
+            output.WriteLine("  " + remark);
         output.WriteLine(string.Format(
             CultureInfo.InvariantCulture, "{0} from the first take-off to the last landing, {1:0.0} % of the area seen",
             FlightText.Clock(summary.FlightTime), summary.Coverage * 100));

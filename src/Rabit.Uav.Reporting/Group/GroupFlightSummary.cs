@@ -39,6 +39,8 @@ public sealed class GroupFlightSummary
             .Select(g => g.OrderByDescending(t => t.Result == FollowResult.Followed)
                 .ThenByDescending(t => t.Decision).ThenByDescending(t => t.InView).First())
             .Where(t => t.Result != FollowResult.SameTarget).ToArray();
+        var searches = new GroupSearches(Vehicles);
+        (VehicleFailures, Remarks) = (searches.Failures.ToArray(), searches.Remarks.ToArray());
     }
 
     /// <summary>The vehicles, in the order of their system ids.</summary>
@@ -83,7 +85,19 @@ public sealed class GroupFlightSummary
     /// </summary>
     public MissionScore? Score { get; init; }
 
-    /// <summary>What of it failed, for people; none where all was accomplished.</summary>
+    /// <summary>
+    /// What failed of single vehicles, for people, without what the group made good: where one gave the search up, on
+    /// command or with an empty battery, and the others completed it, that is a remark.
+    /// </summary>
+    public IReadOnlyList<string> VehicleFailures { get; }
+
+    /// <summary>What happened and is no failure of the group, for people.</summary>
+    public IReadOnlyList<string> Remarks { get; }
+
+    /// <summary>
+    /// What of it failed, for people; none where all was accomplished. Who makes the summary says so, with
+    /// <see cref="VehicleFailures"/> among it.
+    /// </summary>
     public IReadOnlyList<string> Failures { get; init; } = [];
 
     /// <summary>Whether the group did what was asked for.</summary>

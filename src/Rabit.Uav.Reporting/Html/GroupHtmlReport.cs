@@ -64,11 +64,12 @@ public sealed class GroupHtmlReport
         };
         _page.Open("p", "class", "verdict " + (_group.HasPassed ? "good" : "bad"))
             .Element("strong", _group.HasPassed ? "Mission accomplished" : "Mission failed").Text(" " + result).Close();
-        if (_group.Failures.Count > 1)
+        string[] lines = [.. _group.Failures.Count > 1 ? _group.Failures : [], .. _group.Remarks];
+        if (lines.Length > 0)
         {
             _page.Open("ul", "class", "failures");
-            foreach (string failure in _group.Failures)
-                _page.Element("li", failure);
+            foreach (string line in lines)
+                _page.Element("li", line);
             _page.Close();
         }
 

@@ -25,6 +25,16 @@ public sealed class MissionSummary
     /// as much of the area was seen as is required has passed, where a coverage is required at all.
     /// </param>
     public MissionSummary(FlightRecord record, MissionScore? score)
+        : this(record, score, isCompletedByOthers: false)
+    {
+    }
+
+    /// <param name="record">The flight.</param>
+    /// <param name="score">Null where the truth is not known.</param>
+    /// <param name="isCompletedByOthers">
+    /// Whether other vehicles of a group completed the search: that this one gave it up is no failure then.
+    /// </param>
+    internal MissionSummary(FlightRecord record, MissionScore? score, bool isCompletedByOthers)
     {
         if (record is null)
             throw new ArgumentNullException(nameof(record));
@@ -47,8 +57,8 @@ public sealed class MissionSummary
         HasLanded = mission.Result.HasLanded;
         DistanceFromHomeMetres = score?.DistanceFromHomeMetres ?? mission.Result.DistanceFromHomeMetres;
         OutsideFenceMetres = mission.Result.OutsideFenceMetres;
-        string[] first = [.. NotFlown(mission.Result), .. CoverageFailures(mission.Result)];
-        Failures = [.. first, .. TargetFailures(score), .. FlightFailures(record)];
+        string[] first = [.. NotFlown(mission.Result), .. isCompletedByOthers ? [] : CoverageFailures(mission.Result)];
+        Failures = [.. first, .. TargetFailures(score), .. FlightFailures(record, isCompletedByOthers)];
         Remarks = [.. NothingFound(record)];
         Headlines = [.. first, .. Remarks];
     }
@@ -155,11 +165,11 @@ public sealed class MissionSummary
                 + "and is not a target";
     }
 
-    private IEnumerable<string> FlightFailures(FlightRecord record)
+    private IEnumerable<string> FlightFailures(FlightRecord record, bool isCompletedByOthers)
     {
         MissionResult result = record.Mission.Result;
         // Without a required coverage nothing else says that the search was complete.
-        bool isComplete = Score is not null && RequiredCoveragePercent > 0;
+        bool isComplete = isCompletedByOthers || (Score is not null && RequiredCoveragePercent > 0);
         if (!isComplete && (result.Failures & MissionFailures.GivenUp) != 0)
             yield return "the search was given up before its end: " + Aborted;
         if ((result.Failures & MissionFailures.TakenOver) != 0)
