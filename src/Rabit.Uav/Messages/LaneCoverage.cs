@@ -3,8 +3,8 @@ using System.Collections.Immutable;
 namespace Rabit.Uav.Messages;
 
 /// <summary>
-/// Which parts of the lanes of a group were seen, by the sender or by those whose coverage it has received. A plain
-/// value; the parts are immutable, and copies share them.
+/// Which parts of the lanes of a group were seen, and which are left out at the operator's command, by the sender or by
+/// those whose coverage it has received. A plain value; the parts are immutable, and copies share them.
 /// </summary>
 public struct LaneCoverage
 {
@@ -15,6 +15,7 @@ public struct LaneCoverage
     public const int MaxLanes = 64;
 
     private ImmutableArray<ushort> _parts;
+    private ImmutableArray<ushort> _skipped;
 
     /// <summary>Identifies the lanes: <see cref="GroupReport.LanesKey"/>.</summary>
     public uint LanesKey { get; set; }
@@ -30,5 +31,14 @@ public struct LaneCoverage
     {
         readonly get => _parts.IsDefault ? [] : _parts;
         set => _parts = value;
+    }
+    /// <summary>
+    /// For each lane one bit for each part that is left out: no vehicle flies it. As many as <see cref="Parts"/>, or
+    /// none where nothing is left out; never default.
+    /// </summary>
+    public ImmutableArray<ushort> Skipped
+    {
+        readonly get => _skipped.IsDefault ? [] : _skipped;
+        set => _skipped = value;
     }
 }

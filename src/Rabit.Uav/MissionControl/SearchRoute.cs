@@ -20,6 +20,7 @@ internal sealed class SearchRoute
     private readonly double _spacingMetres;
     private readonly List<LaneSegment> _legs;
     private readonly List<SkippedLane> _skipped = [];
+    private readonly List<SkippedLane> _skippedByOthers = [];
     private ImmutableArray<LaneSegment> _shownLegs;
     private ImmutableArray<SkippedLane> _shownSkipped;
 
@@ -113,6 +114,17 @@ internal sealed class SearchRoute
         FinishLeg();
     }
 
+    /// <summary>Another vehicle of the group leaves this out at the operator's command: so do we.</summary>
+    /// <returns>Whether the leg to fly now goes on over it.</returns>
+    public bool LeaveOut(SkippedLane skipped)
+    {
+        _skippedByOthers.Add(skipped);
+        if (Current is not { } leg)
+            return false;
+        double flown = Math.Max(0, Math.Min(1, FlownMetresOfLeg / leg.Length));
+        return IsSkipped(leg.Start + ((1 + flown) / 2 * (leg.End - leg.Start)));
+    }
+
     /// <summary>The leg to fly now is left: what was flown of it is cut off.</summary>
     /// <param name="overlapMetres">How much of what was flown is flown again.</param>
     public void InterruptLeg(double overlapMetres)
@@ -151,6 +163,7 @@ internal sealed class SearchRoute
         _legs.InsertRange(0, earlier._legs.Take(earlier.Flown));
         Flown = earlier.Flown;
         _skipped.AddRange(earlier._skipped);
+        _skippedByOthers.AddRange(earlier._skippedByOthers);
         Coverage.Mark(earlier.Coverage.ToCells(CoverageCells.None), default);
         _shownLegs = default;
     }
@@ -255,7 +268,10 @@ internal sealed class SearchRoute
 
     // The operator may have seen something in the way of it.
     private bool IsSkipped(PlanePoint cell)
-        => _skipped.Any(s => s.Leg.DistanceTo(cell) <= s.HalfMetres + Coverage.CellMetres);
+        => _skipped.Any(s => IsBeside(s, cell)) || _skippedByOthers.Any(s => IsBeside(s, cell));
+
+    private bool IsBeside(SkippedLane skipped, PlanePoint cell)
+        => skipped.Leg.DistanceTo(cell) <= skipped.HalfMetres + Coverage.CellMetres;
 
     // Convex, and of a size that is possible from the heights of a mission; comparisons with NaN are false.
     private static bool IsPicture(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d)

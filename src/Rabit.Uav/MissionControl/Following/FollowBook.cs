@@ -118,14 +118,22 @@ internal sealed class FollowBook(ushort session, IFollowSender sender, Action<st
     /// <param name="isAble">Whether we can decide: in the air, with the mission going on.</param>
     /// <param name="present">The system ids of the others that can bid.</param>
     /// <param name="secondsTo">After what time we would be there; null where we cannot.</param>
+    /// <param name="isSearchFirst">
+    /// Whether targets without a follower have to wait, since the vehicles that are free are needed to search.
+    /// </param>
     /// <param name="now">The time.</param>
     public void Update(
-        byte own, bool isAble, IReadOnlyCollection<byte> present, Func<FollowEntry, double?> secondsTo, TimeSpan now)
+        byte own, bool isAble, IReadOnlyCollection<byte> present, Func<FollowEntry, double?> secondsTo,
+        bool isSearchFirst, TimeSpan now)
     {
         foreach (FollowEntry entry in _entries.Values)
         {
             if (!entry.IsOver)
+            {
+                Wait(entry, isSearchFirst, now);
                 Decide(entry, own, isAble, present, secondsTo, now);
+            }
+
             if (entry.IsSaidBy(own))
                 Say(entry, now);
             else
@@ -135,6 +143,15 @@ internal sealed class FollowBook(ushort session, IFollowSender sender, Action<st
 
     public static string Name(in FollowTask task)
         => $"moving target {MissionNumbers.Of(task.Number)} of vehicle {MissionNumbers.Of(task.Finder)}";
+
+    private void Wait(FollowEntry entry, bool isSearchFirst, TimeSpan now)
+    {
+        if (!isSearchFirst || entry.Task.State != FollowState.Open || entry.Task.Follower != 0)
+            return;
+        if (entry.WaitedUntil is null)
+            log($"{Name(entry.Task)} waits: lanes are left, and no vehicle beside the one that searches is free");
+        entry.WaitedUntil = now;
+    }
 
     private void Decide(
         FollowEntry entry, byte own, bool isAble, IReadOnlyCollection<byte> present,
@@ -158,7 +175,8 @@ internal sealed class FollowBook(ushort session, IFollowSender sender, Action<st
             entry.Decide(own, FollowState.Awarded, own, now);
         if (entry.Task.State != FollowState.Open || entry.Task.Decider != own)
             return;
-        if (entry.Task.Follower == 0 && now - entry.Task.Time > MaxUnseen)
+        TimeSpan since = entry.WaitedUntil > entry.Task.Time ? entry.WaitedUntil.Value : entry.Task.Time;
+        if (entry.Task.Follower == 0 && now - since > MaxUnseen)
         {
             entry.Close(own, FollowResult.Lost, now);
             log($"{Name(entry.Task)}: given up, it was not seen for {MissionNumbers.Seconds(MaxUnseen)}");

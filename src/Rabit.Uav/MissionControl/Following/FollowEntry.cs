@@ -30,6 +30,9 @@ internal sealed class FollowEntry(FollowTask task)
 
     public TimeSpan? BidsSince { get; set; }
 
+    /// <summary>Until when no vehicle was free for it, since lanes came first; null for never.</summary>
+    public TimeSpan? WaitedUntil { get; set; }
+
     /// <summary>When the last decision was taken, or received.</summary>
     public TimeSpan Decided { get; set; }
 

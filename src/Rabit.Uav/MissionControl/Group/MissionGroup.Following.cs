@@ -102,7 +102,9 @@ internal sealed partial class MissionGroup
         bool isRelieved = task.State == FollowState.Awarded && task.Follower != SystemId
             && (task.Progress == FollowProgress.InView || !SeesFollowed(flight)
                 || flight.Now - followed.Entry.Decided > HandOverTime);
-        return isRelieved ? $"vehicle {MissionNumbers.Of(task.Follower)} follows it" : null;
+        return isRelieved ? $"vehicle {MissionNumbers.Of(task.Follower)} follows it"
+            : IsMissedAsSearcher(flight.Now) ? "lanes are left, and no other vehicle searches"
+            : null;
     }
 
     /// <summary>It is over: it was in view for long enough, or is lost.</summary>
@@ -120,7 +122,7 @@ internal sealed partial class MissionGroup
     {
         if (CurrentFollow is { Entry: var entry } && !entry.IsOver && entry.Task.Follower == SystemId)
             entry.GiveBack(SystemId, flight.Now);
-        (CurrentFollow, _followEnded) = (null, flight.Now);
+        (CurrentFollow, _followEnded, _searcherMissed) = (null, flight.Now, null);
     }
 
     /// <summary>Whether our lanes are not known yet after we followed a target: others have taken them over.</summary>
@@ -164,13 +166,15 @@ internal sealed partial class MissionGroup
 
         List<byte> able = present.Where(m => m.Report.State == GroupMemberState.Available).Select(m => m.SystemId)
             .ToList();
-        book.Update(SystemId, isAble, able, e => SecondsTo(flight, e), flight.Now);
+        book.Update(
+            SystemId, isAble, able, e => SecondsTo(flight, e), isSearchFirst: IsSearchFirst(flight.Now), flight.Now);
     }
 
     private static PlanePoint PlaceOf(FollowEntry entry, MissionFlight flight)
         => FollowMark.Of(entry.Task, flight.Plan!.Frame).PlaceAt(flight.Now, maxSeconds: 3);
 
-    // Null where we cannot: not in the air, busy with another one, or with too little energy or budget.
+    // Null where we cannot: not in the air, busy with another one, needed to search, or with too little energy or
+    // budget.
     private double? SecondsTo(MissionFlight flight, FollowEntry entry)
     {
         if (CurrentFollow is { } current)
@@ -179,7 +183,8 @@ internal sealed partial class MissionGroup
             return isKept ? 0 : null;
         }
 
-        if (_own.State != GroupMemberState.Available || !flight.IsFlying || flight.IsFixedWing)
+        if (_own.State != GroupMemberState.Available || !flight.IsFlying || flight.IsFixedWing
+            || MustSearch(flight.Now))
             return null;
         PlanePoint place = PlaceOf(entry, flight);
         bool isBusy = _validation?.Look is not null;

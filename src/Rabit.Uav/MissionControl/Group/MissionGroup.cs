@@ -81,8 +81,11 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
     public void Receive(MissionFlight flight, in Envelope<LaneCoverage> envelope)
     {
         NotePlan(flight);
-        if (Lanes is { } lanes && flight.Route is { } route)
-            _coverage.Receive(envelope.Content, lanes, route.Coverage);
+        if (Lanes is not { } lanes || flight.Route is not { } route)
+            return;
+        IReadOnlyList<SkippedLane> skipped = _coverage.Receive(envelope.Content, lanes, route.Coverage);
+        if (skipped.Count > 0)
+            LeaveOut(flight, route, skipped);
     }
 
     /// <summary>In each tick, after all that was received.</summary>
@@ -103,6 +106,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
                 TakeShare(flight);
             UpdateValidation(flight, present);
             UpdateFollowing(flight, present);
+            ShareSkipped(flight.Route!, lanes);
             if (_coverage.Update(lanes, flight.Route!.Coverage, flight.Now, present.Length > 0) is { } seen)
                 Sender?.Send(seen);
         }
@@ -119,6 +123,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
     public void BeginLeg(MissionFlight flight)
     {
         TakeShare(flight);
+        _isLaneLeft = false;
         if (flight.Route is not { Current: not null } route || route.Coverage.SeenCells == _seenCells)
             return;
         _seenCells = route.Coverage.SeenCells;
@@ -218,7 +223,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         Lanes = new SharedLanes(KeyOf(flight.Mission), _plan!.Lanes, flight.Mission.LaneSpacingMetres);
         _division.Clear();
         _coverage.Clear();
-        (_share, _doneSince) = (default, null);
+        (_share, _doneSince, _skippedShared) = (default, null, 0);
         if (!isFirst && _key != before)
             _members.Clear();
     }

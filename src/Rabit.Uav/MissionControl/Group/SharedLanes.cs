@@ -1,12 +1,14 @@
 using System;
 using System.Collections.Generic;
 using System.Collections.Immutable;
+using System.Linq;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// The lanes that the vehicles of a group share, and which parts of them were seen, by us or by others. One thread.
+/// The lanes that the vehicles of a group share, which parts of them were seen, by us or by others, and which are left
+/// out at the operator's command, whichever vehicle it was for. One thread.
 /// </summary>
 internal sealed class SharedLanes
 {
@@ -16,7 +18,11 @@ internal sealed class SharedLanes
     // As the coverage that a mission requires: a few cells at the border are left by rounding.
     private const double MaxUnseenFraction = 0.02;
 
+    // A leg that is left out lies on its lane.
+    private const double OnLaneMetres = 1;
+
     private readonly ushort[] _seen;
+    private readonly ushort[] _skipped;
     private readonly double _halfMetres;
 
     /// <param name="key">Identifies them.</param>
@@ -25,7 +31,7 @@ internal sealed class SharedLanes
     public SharedLanes(uint key, IReadOnlyList<LaneSegment> lanes, double spacingMetres)
     {
         (Key, Lanes, _halfMetres) = (key, lanes, spacingMetres / 2);
-        _seen = new ushort[lanes.Count];
+        (_seen, _skipped) = (new ushort[lanes.Count], new ushort[lanes.Count]);
         MetresLeft = new double[lanes.Count];
         for (int i = 0; i < lanes.Count; i++)
             MetresLeft[i] = lanes[i].Length;
@@ -38,8 +44,11 @@ internal sealed class SharedLanes
     /// <summary>What is left of each lane; filled here.</summary>
     public double[] MetresLeft { get; }
 
-    /// <summary>How often another part was seen.</summary>
+    /// <summary>How often another part was seen, or left out.</summary>
     public int Changes { get; private set; }
+
+    /// <summary>How many parts are left out.</summary>
+    public int Skips { get; private set; }
 
     /// <summary>The lanes of a share; one that does not fit the lanes has none.</summary>
     public IReadOnlyList<LaneSegment> Of(LaneShare share)
@@ -69,7 +78,7 @@ internal sealed class SharedLanes
         {
             if ((_seen[lane] & (1 << part)) != 0)
                 continue;
-            (int places, int unseen) = coverage.Count(PartOf(lane, part), _halfMetres);
+            (int places, int unseen) = coverage.Count(PartsOf(lane, part, 1), _halfMetres);
             if (unseen <= MaxUnseenFraction * places)
                 SetSeen(lane, part);
         }
@@ -80,7 +89,7 @@ internal sealed class SharedLanes
     public bool Take(in LaneCoverage received, CoverageGrid coverage)
     {
         ImmutableArray<ushort> parts = received.Parts;
-        if (received.LanesKey != Key || received.FirstLane + parts.Length > Lanes.Count)
+        if (!IsOfThese(received))
             return false;
         for (int i = 0; i < parts.Length; i++)
         {
@@ -90,28 +99,94 @@ internal sealed class SharedLanes
                 if ((parts[i] & ~_seen[lane] & (1 << part)) == 0)
                     continue;
                 SetSeen(lane, part);
-                Mark(PartOf(lane, part), coverage);
+                Mark(PartsOf(lane, part, 1), coverage);
             }
         }
 
         return true;
     }
 
+    /// <summary>Takes what others leave out.</summary>
+    /// <returns>What of it was not known, in runs of parts; none where it is not of these lanes.</returns>
+    public IReadOnlyList<SkippedLane> TakeSkipped(in LaneCoverage received)
+    {
+        var added = new List<SkippedLane>();
+        for (int i = 0; i < received.Skipped.Length && IsOfThese(received); i++)
+        {
+            int lane = received.FirstLane + i;
+            for (int part = 0; part < Parts; part++)
+            {
+                int first = part;
+                for (; part < Parts && (received.Skipped[i] & ~_skipped[lane] & (1 << part)) != 0; part++)
+                    SetSkipped(lane, part);
+                if (part > first)
+                    added.Add(new SkippedLane(PartsOf(lane, first, part - first), _halfMetres));
+            }
+        }
+
+        return added;
+    }
+
+    /// <summary>A leg that we leave out: the parts of lanes on it are left out for all.</summary>
+    public void Skip(LaneSegment leg)
+    {
+        for (int lane = 0; lane < Lanes.Count; lane++)
+        {
+            for (int part = 0; part < Parts; part++)
+            {
+                bool isNew = ((_seen[lane] | _skipped[lane]) & (1 << part)) == 0;
+                if (isNew && IsOn(leg, PartsOf(lane, part, 1)))
+                    SetSkipped(lane, part);
+            }
+        }
+    }
+
     /// <summary>What was seen of some lanes.</summary>
     /// <param name="first">The first of them.</param>
-    public LaneCoverage ToMessage(int first) => new()
+    public LaneCoverage ToMessage(int first)
     {
-        LanesKey = Key,
-        FirstLane = first,
-        Parts = ImmutableArray.Create(_seen, first, Math.Min(LaneCoverage.MaxLanes, _seen.Length - first)),
-    };
+        int count = Math.Min(LaneCoverage.MaxLanes, _seen.Length - first);
+        return new LaneCoverage
+        {
+            LanesKey = Key,
+            FirstLane = first,
+            Parts = ImmutableArray.Create(_seen, first, count),
+            Skipped = _skipped.Skip(first).Take(count).Any(s => s != 0)
+                ? ImmutableArray.Create(_skipped, first, count)
+                : [],
+        };
+    }
+
+    private bool IsOfThese(in LaneCoverage received)
+        => received.LanesKey == Key && received.FirstLane + received.Parts.Length <= Lanes.Count;
+
+    private static bool IsOn(LaneSegment leg, LaneSegment part)
+    {
+        PlanePoint along = part.End - part.Start;
+        return leg.DistanceTo(part.Start + (0.1 * along)) <= OnLaneMetres
+            || leg.DistanceTo(part.Start + (0.5 * along)) <= OnLaneMetres
+            || leg.DistanceTo(part.Start + (0.9 * along)) <= OnLaneMetres;
+    }
 
     private void SetSeen(int lane, int part)
     {
         _seen[lane] |= (ushort)(1 << part);
-        MetresLeft[lane] = _seen[lane] == AllParts
-            ? 0
-            : MetresLeft[lane] - (Lanes[lane].Length / Parts);
+        CountLeft(lane);
+    }
+
+    private void SetSkipped(int lane, int part)
+    {
+        _skipped[lane] |= (ushort)(1 << part);
+        Skips++;
+        CountLeft(lane);
+    }
+
+    private void CountLeft(int lane)
+    {
+        int left = 0;
+        for (int part = 0; part < Parts; part++)
+            left += ((_seen[lane] | _skipped[lane]) >> part & 1) == 0 ? 1 : 0;
+        MetresLeft[lane] = left * Lanes[lane].Length / Parts;
         Changes++;
     }
 
@@ -122,10 +197,10 @@ internal sealed class SharedLanes
         coverage.Mark(middle.Start - right, middle.End - right, middle.End + right, middle.Start + right);
     }
 
-    private LaneSegment PartOf(int lane, int part)
+    private LaneSegment PartsOf(int lane, int first, int count)
     {
         LaneSegment all = Lanes[lane];
         PlanePoint step = (1.0 / Parts) * (all.End - all.Start);
-        return new LaneSegment(all.Start + (part * step), all.Start + ((part + 1) * step));
+        return new LaneSegment(all.Start + (first * step), all.Start + ((first + count) * step));
     }
 }

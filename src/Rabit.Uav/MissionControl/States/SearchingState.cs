@@ -53,6 +53,12 @@ internal sealed class SearchingState : MissionState
 
         if (!ReferenceEquals(_route, flight.Route))
             (_route, _isOnLane) = (flight.Route, false);
+        if (_isOnLane && flight.Group?.TakeLaneLeft() == true)
+        {
+            flight.Route!.InterruptLeg(flight.OverlapMetres);
+            _isOnLane = false;
+        }
+
         if (!_isOnLane && flight.Group is { } group)
         {
             group.BeginLeg(flight);

@@ -106,7 +106,7 @@ internal sealed class FollowNetwork : LossyNetwork<FollowNetwork.Node>
                     other.GiveBack(Own, Now);
             }
 
-            Book.Update(Own, isAble: true, _network.PresentFor(_number), SecondsTo, Now);
+            Book.Update(Own, isAble: true, _network.PresentFor(_number), SecondsTo, isSearchFirst: false, Now);
         }
 
         private void Follow(FollowEntry entry)

@@ -75,6 +75,9 @@ internal sealed class GroupRig : IDisposable
 
     public GroupStatus StatusOf(int number) => _ends[number].Status;
 
+    /// <summary>A vehicle receives a coverage, as if of another one.</summary>
+    public void Inject(int to, byte source, LaneCoverage coverage) => _ends[to].Inject(source, coverage);
+
     public void Run(double seconds) => RunUntil(() => false, seconds);
 
     /// <returns>Whether it came so.</returns>
@@ -163,6 +166,9 @@ internal sealed class GroupRig : IDisposable
                 _channels[i].Deliver(this, i, to, isLost);
         }
 
+        public void Inject<T>(byte source, T content) => _channels.OfType<Channel<T>>().Single().Take(
+            new Envelope<T> { SourceSystemId = source, SentTime = _reactor.Now, Content = content }, source);
+
         private void Add<T>(RabitWorkspace workspace, string outgoing, string incoming)
             => _channels.Add(new Channel<T>(
                 workspace.Receive<Envelope<T>>(outgoing), workspace.Send<Envelope<T>>(incoming)));
@@ -187,7 +193,7 @@ internal sealed class GroupRig : IDisposable
                 }
             }
 
-            private void Take(Envelope<T> message, byte source)
+            public void Take(Envelope<T> message, byte source)
             {
                 // The codec fills in who found it.
                 if (message is Envelope<ValidationTask> { Content: var task } tasks)

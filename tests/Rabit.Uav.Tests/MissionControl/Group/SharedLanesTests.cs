@@ -77,6 +77,52 @@ public sealed class SharedLanesTests
     }
 
     [Fact]
+    public void Skip_LegOnALane_IsLeftOutHereAndWhereItIsReceived()
+    {
+        See(0, 80, 30, 60);
+        _lanes.Take(1, _coverage);
+        _lanes.Skip(new LaneSegment(new PlanePoint(160, 45), new PlanePoint(62, 45)));
+        Assert.Equal([160, 0, 160], _lanes.MetresLeft);
+        Assert.Equal(8, _lanes.Skips);
+        SharedLanes other = Lanes();
+        var coverage = new CoverageGrid(Area);
+        Assert.True(other.Take(_lanes.ToMessage(0), coverage));
+        SkippedLane skipped = Assert.Single(other.TakeSkipped(_lanes.ToMessage(0)));
+        Assert.Equal(new PlanePoint(80, 45), skipped.Leg.Start);
+        Assert.Equal(new PlanePoint(160, 45), skipped.Leg.End);
+        Assert.Equal([160, 0, 160], other.MetresLeft);
+        Assert.True(coverage.IsUnseen(new PlanePoint(100, 45)));
+        Assert.Empty(other.TakeSkipped(_lanes.ToMessage(0)));
+        Assert.Equal(_lanes.ToMessage(0).Skipped.AsEnumerable(), other.ToMessage(0).Skipped.AsEnumerable());
+    }
+
+    [Fact]
+    public void Skip_LegBesideTheLanesOrAcross_LeavesNothingOutButWhatItIsOn()
+    {
+        _lanes.Skip(new LaneSegment(new PlanePoint(0, 30), new PlanePoint(160, 30)));
+        Assert.Equal(0, _lanes.Skips);
+        Assert.Empty(_lanes.ToMessage(0).Skipped);
+    }
+
+    [Fact]
+    public void Skip_PartThatIsSeenLater_CountsOnce()
+    {
+        _lanes.Skip(new LaneSegment(new PlanePoint(0, 15), new PlanePoint(160, 15)));
+        See(0, 160, 0, 30);
+        _lanes.Take(0, _coverage);
+        Assert.Equal([0, 160, 160], _lanes.MetresLeft);
+    }
+
+    [Fact]
+    public void TakeSkipped_OfOtherLanesOrMoreOfThem_IsNothing()
+    {
+        var message = new LaneCoverage { LanesKey = Key + 1, Parts = [0, 0, 0], Skipped = [1, 1, 1] };
+        Assert.Empty(_lanes.TakeSkipped(message));
+        Assert.Empty(_lanes.TakeSkipped(message with { LanesKey = Key, FirstLane = 1 }));
+        Assert.Equal(0, _lanes.Skips);
+    }
+
+    [Fact]
     public void Of_ShareBeyondTheLanes_HasThoseThatThereAre()
         => Assert.Equal(2, _lanes.Of(new LaneShare(1, 1, 60_000)).Count);
 
