@@ -5,9 +5,10 @@
 
 // Runs the mutants of Rabit.Core that Stryker made (eng/mutation.sh), each against the tests that reach it. All mutants
 // are in one assembly and one is switched on at a time, so a process that has started once tries hundreds of them;
-// Stryker itself starts one for each few. Usage: dotnet run eng/mutation-run.cs -- REPORT.json TESTS.dll SEED MINUTES
-// REPORT.json is Stryker's, TESTS.dll lies beside the mutated Rabit.Core.dll. The mutants are tried in an order drawn
-// with SEED, and as many as come up in so many MINUTES: what was tried is then a random sample.
+// Stryker itself starts one for each few. Usage: dotnet run eng/mutation-run.cs -- REPORT.json TESTS.dll SEED COUNT
+// REPORT.json is Stryker's, TESTS.dll lies beside the mutated Rabit.Core.dll. COUNT mutants, drawn with SEED, are tried:
+// against the fast tests, what survives those against all others, and what survives those too, in code that the explorer
+// runs, against the exploration.
 using System;
 using System.Collections.Concurrent;
 using System.Collections.Generic;
@@ -29,45 +30,52 @@ if (args[0] == "worker")
 
 List<Mutant> mutants = Mutant.Read(args[0]);
 string tests = Path.GetFullPath(args[1]);
-Dictionary<int, string[]> reached;
-HashSet<int> statics;
-using (var first = new WorkerProcess(tests))
-{
-    string answer = first.Ask("coverage");
-    using JsonDocument coverage = JsonDocument.Parse(
-        answer.StartsWith('{') ? answer : throw new InvalidOperationException(answer));
-    statics = coverage.RootElement.GetProperty("Statics").Deserialize<HashSet<int>>()!;
-    reached = coverage.RootElement.GetProperty("Reached").Deserialize<Dictionary<int, string[]>>()!;
-}
-
-Console.WriteLine(
-    string.Create(
-        CultureInfo.InvariantCulture,
-        $"{mutants.Count} mutants, {mutants.Count(m => statics.Contains(m.Id))} of them in static state"));
-Mutant[] order = [.. mutants];
-new Random(int.Parse(args[2], CultureInfo.InvariantCulture)).Shuffle(order);
-var queue = new ConcurrentQueue<Mutant>(order);
+Mutant[] sample = [.. mutants];
+new Random(int.Parse(args[2], CultureInfo.InvariantCulture)).Shuffle(sample);
+sample = sample[..Math.Min(sample.Length, int.Parse(args[3], CultureInfo.InvariantCulture))];
 var begun = Stopwatch.StartNew();
-var limit = TimeSpan.FromMinutes(double.Parse(args[3], CultureInfo.InvariantCulture));
-await Task.WhenAll(Enumerable.Range(0, AtOnce).Select(_ => Task.Run(Try)));
-Mutant.WriteTables([.. order.Where(m => m.Outcome.Length != 0)], mutants.Count);
+foreach (string set in new[] { "fast", "other", "exploration" })
+    await TryAll(set, [.. sample.Where(m => m.IsAlive && (set != "exploration" || m.IsExplored))]);
+foreach (Mutant mutant in sample.Where(m => m.IsAlive))
+    Console.WriteLine($"{mutant.Outcome} {mutant.Id} {mutant.File}:{mutant.Line} {mutant.What}");
+Mutant.WriteTables(sample, mutants.Count);
+Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{begun.Elapsed.TotalMinutes:0} minutes"));
 return 0;
 
-void Try()
+async Task TryAll(string set, Mutant[] left)
+{
+    Covered covered;
+    using (var first = new WorkerProcess(tests))
+    {
+        string answer = first.Ask("coverage " + set);
+        covered = JsonSerializer.Deserialize<Covered>(
+            answer.StartsWith('{') ? answer : throw new InvalidOperationException(answer))!;
+    }
+
+    Console.WriteLine(string.Create(
+        CultureInfo.InvariantCulture,
+        $"{set}: {left.Length} mutants, {covered.Classes} classes of tests; {begun.Elapsed.TotalMinutes:0} minutes"));
+    foreach (string reason in covered.LeftOut)
+        Console.WriteLine($"left out: {reason}");
+    var queue = new ConcurrentQueue<Mutant>(left);
+    await Task.WhenAll(Enumerable.Range(0, AtOnce).Select(_ => Task.Run(() => Try(set, covered, queue))));
+}
+
+void Try(string set, Covered covered, ConcurrentQueue<Mutant> queue)
 {
     WorkerProcess? worker = null;
-    while (begun.Elapsed < limit && queue.TryDequeue(out Mutant? mutant))
+    while (queue.TryDequeue(out Mutant? mutant))
     {
-        mutant.Outcome = "NoCoverage";
-        if (statics.Contains(mutant.Id))
+        string[]? classes = covered.All ?? covered.Reached.GetValueOrDefault(mutant.Id);
+        if (covered.Statics.Contains(mutant.Id))
         {
             // What is computed once per process is mutated only if the mutant is on from the beginning.
             using var own = new WorkerProcess(tests, mutant.Id);
-            mutant.Outcome = Outcome(own.Ask($"all {mutant.Id}"));
+            mutant.Outcome = Outcome(own.Ask($"all {set} {mutant.Id}"));
         }
-        else if (reached.TryGetValue(mutant.Id, out string[]? classes))
+        else if (classes is not null)
         {
-            string question = $"test {mutant.Id} {string.Join(',', classes)}";
+            string question = $"test {set} {mutant.Id} {string.Join(',', classes)}";
             mutant.Outcome = Outcome((worker ??= new WorkerProcess(tests)).Ask(question));
             if (mutant.Outcome == "Dirty")
             {
@@ -87,7 +95,7 @@ void Try()
             }
         }
 
-        Console.WriteLine($"{mutant.Outcome} {mutant.Id} {mutant.File}:{mutant.Line} {mutant.What}");
+        Console.WriteLine($"{set}: {mutant.Outcome} {mutant.Id} {mutant.File}:{mutant.Line} {mutant.What}");
     }
 
     worker?.Dispose();
@@ -100,7 +108,12 @@ internal sealed record Mutant(int Id, string File, int Line, string What)
 {
     private static readonly string[] Outcomes = ["Killed", "Timeout", "Survived", "NoCoverage"];
 
-    public string Outcome { get; set; } = "";
+    public string Outcome { get; set; } = "NoCoverage";
+
+    public bool IsAlive => Outcome is "NoCoverage" or "Survived";
+
+    // In code that the explorer runs.
+    public bool IsExplored => Regex.IsMatch(File, "^(Messages|Queues|WakeUp)/|StageMark|Loan");
 
     public static List<Mutant> Read(string report)
     {
@@ -124,14 +137,14 @@ internal sealed record Mutant(int Id, string File, int Line, string What)
         return mutants;
     }
 
-    public static void WriteTables(List<Mutant> mutants, int all)
+    public static void WriteTables(Mutant[] mutants, int all)
     {
         // 95 %: the normal approximation, with the correction for a sample that is a good part of the whole.
-        double share = mutants.Count(m => m.Outcome is "Killed" or "Timeout") / (double)mutants.Count;
+        double share = mutants.Count(m => m.Outcome is "Killed" or "Timeout") / (double)mutants.Length;
         double error =
-            1.96 * Math.Sqrt(share * (1 - share) / mutants.Count * (all - mutants.Count) / Math.Max(all - 1, 1));
+            1.96 * Math.Sqrt(share * (1 - share) / mutants.Length * (all - mutants.Length) / Math.Max(all - 1, 1));
         Console.WriteLine(string.Create(
-            CultureInfo.InvariantCulture, $"{mutants.Count} of {all} mutants tried: {share:0.0 %} +- {error:0.0 %}"));
+            CultureInfo.InvariantCulture, $"{mutants.Length} of {all} mutants tried: {share:0.0 %} +- {error:0.0 %}"));
         Console.WriteLine(
             "| where | mutants | killed | timeout | survived | not reached | score |\n|---|---|---|---|---|---|---|");
         foreach (IGrouping<string, Mutant> file
@@ -219,6 +232,16 @@ internal sealed class Worker
             + "|(PeriodGrid|DurationStatistics|DurationHistogram|Watchdog|Policy|ManagerArgument|RestartWindow|WakeUpStatistics)Tests$"
             + "|WiringTests$|Modelled(Duration|Hang)Tests$|EventLogTests$|RealTimeRequestTests$";
 
+    // Its coverage takes too long to be measured: each step of an exploration would be noted.
+    private const string Exploration = "[.]Exploration[.].*ExplorationTests$";
+
+    // What says nothing about the mutated code: the compiler, the documents, other processes, what is allocated (a
+    // mutated assembly allocates), and what takes too long while each line that it reaches is noted.
+    private const string Apart =
+        "[.](Analyzers|Api|Documentation|Exploration|Predecessors|Samples)[.]|Architecture|ClauseCoverage|Allocation|Determinism|HostileException|Stress";
+
+    private static readonly TimeSpan MaxClassTime = TimeSpan.FromSeconds(20);
+
     private static readonly TimeSpan CheckInterval = TimeSpan.FromMilliseconds(100);
 
     // A test of these takes a few milliseconds. It hangs when it has used so much of a processor, or, where it waits,
@@ -227,7 +250,7 @@ internal sealed class Worker
     private const int MaxChecks = 250;
 
     private readonly Type _control;
-    private readonly List<Type> _classes;
+    private readonly Assembly _tests;
     private readonly Dictionary<string, TimeSpan> _times = [];
     private int _testsBegun;
     private string? _failure;   // of the class that ran last
@@ -235,9 +258,17 @@ internal sealed class Worker
     private Worker(Assembly tests)
     {
         _control = Assembly.Load("Rabit.Core").GetTypes().Single(t => t.Name == "MutantControl");
-        _classes =
-            [.. tests.GetTypes().Where(t => !t.IsAbstract && Regex.IsMatch(t.FullName!, Fast) && Tests(t).Any())];
+        _tests = tests;
     }
+
+    private IEnumerable<Type> Classes(string set) => _tests.GetTypes().Where(t => !t.IsAbstract && Tests(t).Any()
+        && !t.CustomAttributes.Any(a => a.ConstructorArguments is [{ Value: "Category" }, _])
+        && set switch
+        {
+            "fast" => Regex.IsMatch(t.FullName!, Fast),
+            "exploration" => Regex.IsMatch(t.FullName!, Exploration),
+            _ => !Regex.IsMatch(t.FullName!, Fast) && !Regex.IsMatch(t.FullName!, Apart),
+        });
 
     public static int Run(string path)
     {
@@ -262,12 +293,10 @@ internal sealed class Worker
     private string Answer(string[] words)
     {
         if (words[0] == "coverage")
-            return Coverage();
-        int mutant = int.Parse(words[1], CultureInfo.InvariantCulture);
+            return JsonSerializer.Serialize(Coverage(words[1]));
+        int mutant = int.Parse(words[2], CultureInfo.InvariantCulture);
         bool all = words[0] == "all";
-        IEnumerable<Type> classes = all
-            ? _classes
-            : words[2].Split(',').Select(name => _classes.Single(c => c.FullName == name));
+        IEnumerable<Type> classes = all ? Classes(words[1]) : words[3].Split(',').Select(name => _tests.GetType(name)!);
         foreach (Type type in classes)
         {
             Switch(mutant);
@@ -286,19 +315,30 @@ internal sealed class Worker
     private void Switch(int mutant) => _control.GetField("ActiveMutant")!.SetValue(null, mutant);
 
     // Which mutants each class reaches, and which are reached only once in a process; quick classes first.
-    private string Coverage()
+    private Covered Coverage(string set)
     {
         var reached = new Dictionary<int, List<Type>>();
         var statics = new HashSet<int>();
-        foreach (Type type in _classes)
+        var leftOut = new List<string>();
+        Type[] classes = [.. Classes(set)];
+        if (set == "exploration")
+            return new Covered(classes.Length, statics, [], leftOut, [.. classes.Select(c => c.FullName!)]);
+        foreach (Type type in classes)
         {
             Switch(-1);
             _control.GetField("CaptureCoverage")!.SetValue(null, true);
             _control.GetMethod("ResetCoverage", Type.EmptyTypes)!.Invoke(null, null);
             var watch = Stopwatch.StartNew();
             string result = Watch(type);
-            if (result != "Passed")
-                return $"{type.FullName} without a mutant: {result}. {_failure}";
+            _control.GetField("CaptureCoverage")!.SetValue(null, false);
+            if (result != "Passed" || watch.Elapsed > MaxClassTime)
+            {
+                leftOut.Add($"{type.FullName}: {result} after {watch.Elapsed.TotalSeconds:0.0} s. {_failure}");
+                if (result == "Timeout")
+                    throw new InvalidOperationException(leftOut[^1]);   // its thread goes on and would be measured too
+                continue;
+            }
+
             _times[type.FullName!] = watch.Elapsed;
             var covered = (IList<int>[])_control.GetMethod("GetCoverageData")!.Invoke(null, null)!;
             statics.UnionWith(covered[1]);
@@ -311,9 +351,10 @@ internal sealed class Worker
             }
         }
 
-        return JsonSerializer.Serialize(new Covered(
-            statics,
-            reached.ToDictionary(p => p.Key, p => p.Value.Select(t => t.FullName!).OrderBy(n => _times[n]).ToArray())));
+        return new Covered(
+            classes.Length - leftOut.Count, statics,
+            reached.ToDictionary(p => p.Key, p => p.Value.Select(t => t.FullName!).OrderBy(n => _times[n]).ToArray()),
+            leftOut, null);
     }
 
     // On a thread of its own, which has no state of the thread from others.
@@ -392,8 +433,12 @@ internal sealed class Worker
     private static object?[] Completed(MethodInfo test, object?[]? row)
         => [.. row ?? [null], .. test.GetParameters().Skip(row?.Length ?? 1).Select(p => p.DefaultValue)];
 
-    private sealed record Covered(HashSet<int> Statics, Dictionary<int, string[]> Reached);
 }
+
+// Of a set of test classes: how many are run, the mutants in static state, the classes that reach each mutant, those that
+// do not pass here or last too long, and, where the reach is not known, all of them.
+internal sealed record Covered(
+    int Classes, HashSet<int> Statics, Dictionary<int, string[]> Reached, List<string> LeftOut, string[]? All);
 
 // Where the tests of a class write to: nowhere.
 public class Silent : DispatchProxy

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Mutation testing of the managers, messages and queues of Rabit.Core (docs/concepts/mutation-testing.md; the folders are
-# in eng/stryker-config.json). Stryker makes the mutants and compiles them into one assembly, which is kept; eng/mutation-run.cs runs them. Usage: eng/mutation.sh [SEED [MINUTES]]
+# in eng/stryker-config.json). Stryker makes the mutants and compiles them into one assembly, which is kept; eng/mutation-run.cs runs them. Usage: eng/mutation.sh [SEED [COUNT]]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 seed=${1:-1}
-minutes=${2:-60}
+count=${2:-600}
 out=$PWD/artifacts/mutation
 bin=artifacts/bin/Rabit.Core.Tests/debug
 
@@ -23,4 +23,4 @@ cp -r "$bin" "$out/bin"
 wait "$stryker" || true   # its score is that of those few tests
 grep -q MutantControl "$out/bin/Rabit.Core.dll"
 
-dotnet run eng/mutation-run.cs -- "$out/reports/mutation-report.json" "$out/bin/Rabit.Core.Tests.dll" "$seed" "$minutes" | tee "$out/mutants.txt"
+dotnet run eng/mutation-run.cs -- "$out/reports/mutation-report.json" "$out/bin/Rabit.Core.Tests.dll" "$seed" "$count" | tee "$out/mutants.txt"

@@ -61,7 +61,7 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
         if (Shared is null)
             (_handlers ??= []).Add(target);
         else
-            Shared.AddTarget(target);
+            target.Join(Shared);
         return target;
     }
 
@@ -112,8 +112,8 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
     {
         // A manager posts its status after every run, which is in the log already.
         if (!IsBuiltIn)
-            ((SharedMessage<T>)connector)
-                .AddTarget(new PostTarget(events.Owner, wakeUp: null, stamp => events.Posted(Name, stamp)));
+            new PostTarget(events.Owner, wakeUp: null, stamp => events.Posted(Name, stamp))
+                .Join((SharedMessage<T>)connector);
     }
 
     public override void Bind(IConnector connector, EndpointDeclaration? firstOfOwner)
@@ -127,11 +127,11 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
         if (Role != EndpointRole.Subscribe)
             return;
         if (Wakes)
-            Shared.AddTarget(new PostTarget(Owner, Owner.WakeUp, handler: null));
+            new PostTarget(Owner, Owner.WakeUp, handler: null).Join(Shared);
         if (_handlers is null)
             return;
         foreach (PostTarget target in _handlers)
-            Shared.AddTarget(target);
+            target.Join(Shared);
         _handlers = null;
     }
 }

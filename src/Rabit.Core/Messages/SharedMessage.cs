@@ -20,7 +20,8 @@ namespace Rabit.Core.Messages;
 /// </remarks>
 [SuppressMessage("Reliability", "CA1001:Types that own disposable fields should be disposable",
     Justification = "A source of cancellation without a timer or a wait handle holds nothing that must be released.")]
-internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) : IConnector, IObservedMessage
+internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion)
+    : IConnector, IObservedMessage, ISubscriptions<SyncPoints>
 {
     private readonly object _targetsGate = new();
     private readonly CancellationTokenSource _closed = new();
@@ -46,13 +47,16 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) :
 
     public MessageObserver Observe() => new TypedMessageObserver<T>(this);
 
-    public void AddTarget(PostTarget target)
+    void ISubscriptions<SyncPoints>.Add(Subscription<SyncPoints> subscription)
     {
         lock (_targetsGate)
-        {
-            if (target.TryJoin(TakeOut))
-                Volatile.Write(ref _targets, [.. _targets, target]);
-        }
+            Volatile.Write(ref _targets, [.. _targets, (PostTarget)subscription]);
+    }
+
+    void ISubscriptions<SyncPoints>.Remove(Subscription<SyncPoints> subscription)
+    {
+        lock (_targetsGate)
+            Volatile.Write(ref _targets, Array.FindAll(_targets, t => t != subscription));
     }
 
     /// <summary>
@@ -70,7 +74,7 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) :
         cancellation.ThrowIfCancellationRequested();
         var news = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
         using var target = new PostTarget(owner, wakeUp: null, _ => news.TrySetResult(true));
-        AddTarget(target);
+        target.Join(this);
         default(SyncPoints).FenceAllThreads();
         if (Version != copy.SeenVersion)
             return true;
@@ -160,12 +164,6 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) :
         {
             spares.Exit();
         }
-    }
-
-    private void TakeOut(PostTarget target)
-    {
-        lock (_targetsGate)
-            Volatile.Write(ref _targets, Array.FindAll(_targets, t => t != target));
     }
 
     private static void Wake(WakeUpEvent sleeper, TimeSpan? now)
