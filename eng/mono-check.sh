@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Rabit under Mono: builds tests, samples and the tool for net472 (into artifacts-mono/), runs every test project but the longer
 # tests, several projects at a time, and compares what the samples and the tool print with what they print under .NET.
+# Needs a build of Rabit.sln for .NET, which it leaves alone: other checks may run at the same time.
 # Ends with one line, "N passed, N failed": each test and each comparison counts as one.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -36,12 +37,23 @@ check() {
     fi
 }
 
-build_for_mono() {
-    dotnet build "$1" -p:RabitMono=true -v quiet
-}
-
 property() {
     dotnet msbuild "$1" -p:RabitMono=true -getProperty:"$2"
+}
+
+# Those of the given projects that run on Mono (the tests of the documents need a compiler, which does not).
+that_run_on_mono() {
+    local project
+    for project in "$@"; do
+        [ "$(property "$project" RabitRunsOnMono)" = false ] || echo "$project"
+    done
+}
+
+# All at once: one by one, each build looks at all that it refers to again.
+build_for_mono() {
+    local filter=artifacts-mono/mono.slnf
+    printf '"%s",' "$@" | sed 's/.*/{ "solution": { "path": "..\/Rabit.sln", "projects": [&] } }/; s/,\]/]/' > $filter
+    dotnet build $filter -p:RabitMono=true -v quiet
 }
 
 # Runs a test project with xunit's console runner and adds up its result file. The runner is put beside the tests, so that
@@ -80,7 +92,7 @@ prints_the_same() {
     local folder=$1 name
     name=$(basename "$folder")
     shift
-    dotnet run --project "$folder" -- "$@" > "$results/$name.net.txt" &&
+    dotnet run --no-build --project "$folder" -- "$@" > "$results/$name.net.txt" &&
     mono "artifacts-mono/bin/$name/debug/$name.exe" "$@" > "$results/$name.mono.txt" &&
     diff -u "$results/$name.net.txt" "$results/$name.mono.txt"
 }
@@ -93,7 +105,7 @@ order_bug_is_the_same() {
             status=0
             # shellcheck disable=SC2086 # an option and its value
             if [ $runtime = net ]; then
-                dotnet run --project samples/OrderBugSearch -- $option
+                dotnet run --no-build --project samples/OrderBugSearch -- $option
             else
                 mono artifacts-mono/bin/OrderBugSearch/debug/OrderBugSearch.exe $option
             fi > "$results/order-bug.$runtime.txt" || status=$?
@@ -108,7 +120,7 @@ order_bug_is_the_same() {
 
 flight_is_the_same() {
     local link="tlog:tests/data/mavlink/$1.tlog?speed=max"
-    dotnet run --project samples/UavConsole -- --link "$link" --headless --summary "$results/$1.net.json" > "$results/$1.net.txt" &&
+    dotnet run --no-build --project samples/UavConsole -- --link "$link" --headless --summary "$results/$1.net.json" > "$results/$1.net.txt" &&
     mono artifacts-mono/bin/UavConsole/debug/UavConsole.exe \
         --link "$link" --headless --summary "$results/$1.mono.json" > "$results/$1.mono.txt" &&
     diff -u "$results/$1.net.json" "$results/$1.mono.json"
@@ -117,7 +129,7 @@ flight_is_the_same() {
 # The simulated search: the same steps and decisions at the same times, the same targets to a centimetre. (The last bits of
 # some sines differ between the runtimes; within one, a seed gives the same log to the byte, which a test shows.)
 search_is_the_same() {
-    dotnet run --project samples/UavConsole -- --seed 3 --headless --log "$results/search.net.log" \
+    dotnet run --no-build --project samples/UavConsole -- --seed 3 --headless --log "$results/search.net.log" \
         --summary "$results/search.net.json" --report "$results/search.net.html" > "$results/search.net.txt" &&
     mono artifacts-mono/bin/UavConsole/debug/UavConsole.exe --seed 3 --headless --log "$results/search.mono.log" \
         --summary "$results/search.mono.json" --report "$results/search.mono.html" > "$results/search.mono.txt" &&
@@ -130,39 +142,29 @@ latencies_work() {
     mono artifacts-mono/bin/Rabit.Latency/release/Rabit.Latency.exe --quick > "$results/latency.txt"
 }
 
-built=()
-for project in tests/*/*.csproj; do
-    # The tests of the documents need a compiler, which runs on .NET only.
-    if [ "$(property "$project" RabitRunsOnMono)" = false ]; then
-        continue
-    fi
-    if build_for_mono "$project"; then
-        built+=("$(basename "$project" .csproj)")
-        xunit_folder=$(dirname "$(property "$project" XunitConsole472Path)")
-    else
-        check "build of $project" false
-    fi
+mapfile -t tests < <(that_run_on_mono tests/*/*.csproj)
+mapfile -t programs < <(that_run_on_mono samples/*/*.csproj src/Rabit.Tool/Rabit.Tool.csproj)
+check "build for Mono" build_for_mono "${tests[@]}" "${programs[@]}"
+if [ $failed -ne 0 ]; then
+    echo "0 passed, 1 failed"
+    exit 1
+fi
+xunit_folder=$(dirname "$(property "${tests[0]}" XunitConsole472Path)")
+names=()
+for project in "${tests[@]}"; do
+    names+=("$(basename "$project" .csproj)")
 done
 
 # As many at a time as there are processors, the longest first: by itself one leaves a processor idle much of the time.
-for name in $(printf '%s\n' "${longest[@]}" "${built[@]}" | awk '!seen[$0]++'); do
-    if [[ " ${built[*]} " == *" $name "* ]]; then
-        while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do
-            wait -n || true
-        done
-        run_tests "$name" &
-    fi
+for name in $(printf '%s\n' "${longest[@]}" "${names[@]}" | awk '!seen[$0]++'); do
+    while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do
+        wait -n || true
+    done
+    run_tests "$name" &
 done
 wait
-for name in "${built[@]}"; do
+for name in "${names[@]}"; do
     count_tests "$name"
-done
-
-for project in samples/*/*.csproj src/Rabit.Tool/Rabit.Tool.csproj; do
-    if [ "$(property "$project" RabitRunsOnMono)" = false ]; then
-        continue
-    fi
-    check "build of $project" build_for_mono "$project"
 done
 
 check "Rabit.Latency works" latencies_work

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 runtime=${1:-net}
-out=artifacts/samples-check
+out=artifacts/samples-check/${runtime#--}
 mkdir -p "$out"
 passed=0
 failed=0
