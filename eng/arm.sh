@@ -71,7 +71,7 @@ fi
 
 if [ ! -L "$root/usr/lib/mono" ]; then   # the last step below
     apt_for_arm update || echo "Some lists of packages could not be had; those that are there are used."
-    apt_for_arm install --download-only mono-runtime-sgen libstdc++6
+    apt_for_arm install --download-only mono-runtime-sgen libstdc++6 libssl3
     mkdir -p "$root"
     for package in "$home"/apt/cache/archives/*.deb; do
         dpkg-deb -x "$package" "$root"
