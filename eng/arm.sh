@@ -46,7 +46,8 @@ run_mono() {
     run_on_arm -E MONO_CFG_DIR="$root/etc" "$root/usr/bin/mono-sgen" "$(dirname "$assembly")/xunit.console.exe" "$assembly" -noappdomain "$@"
 }
 
-# What .NET would map twice, to be either written or executed, qemu executes as it was before.
+# What .NET would map twice, to be either written or executed, qemu executes as it was before. Stop signals to this process are
+# left out: Ctrl-C ends xunit's console.
 run_net() {
     local folder=$home/bin runner
     dotnet publish $project -r linux-$architecture --self-contained -p:RabitQuick=true -p:ArtifactsPath="$home/artifacts" -v quiet -o "$folder"
@@ -54,7 +55,8 @@ run_net() {
     runner=$(dotnet msbuild $project -p:RabitMono=true -getProperty:XunitConsole472Path)
     cp "$home"/run-tests/run-tests* "$(dirname "$runner")"/../netcoreapp2.0/xunit.* "$folder"
     run_on_arm -E DOTNET_EnableWriteXorExecute=0 -E DOTNET_SYSTEM_GLOBALIZATION_INVARIANT=1 \
-        "$folder/run-tests" "$folder/xunit.console.dll" "$folder/Rabit.Core.Tests.dll" "$@"
+        "$folder/run-tests" "$folder/xunit.console.dll" "$folder/Rabit.Core.Tests.dll" \
+        -noclass Rabit.Core.Tests.Reactors.StopSignalTests "$@"
 }
 
 attribute() {

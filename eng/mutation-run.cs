@@ -6,9 +6,9 @@
 // Runs the mutants of Rabit.Core that Stryker made (eng/mutation.sh), each against the tests that reach it. All mutants
 // are in one assembly and one is switched on at a time, so a process that has started once tries hundreds of them;
 // Stryker itself starts one for each few. Usage: dotnet run eng/mutation-run.cs -- REPORT.json TESTS.dll SEED COUNT
-// REPORT.json is Stryker's, TESTS.dll lies beside the mutated Rabit.Core.dll. COUNT mutants, drawn with SEED, are tried:
-// against the fast tests, what survives those against all others, and what survives those too, in code that the explorer
-// runs, against the exploration.
+// REPORT.json is Stryker's, TESTS.dll lies beside the mutated Rabit.Core.dll. COUNT mutants, drawn with SEED, are
+// tried: against the fast tests, what survives those against all others, and what survives those too, in code that the
+// explorer runs, against the exploration.
 using System;
 using System.Collections.Concurrent;
 using System.Collections.Generic;
@@ -238,7 +238,8 @@ internal sealed class Worker
     // What says nothing about the mutated code: the compiler, the documents, other processes, what is allocated (a
     // mutated assembly allocates), and what takes too long while each line that it reaches is noted.
     private const string Apart =
-        "[.](Analyzers|Api|Documentation|Exploration|Predecessors|Samples)[.]|Architecture|ClauseCoverage|Allocation|Determinism|HostileException|Stress";
+        "[.](Analyzers|Api|Documentation|Exploration|Predecessors|Samples)[.]"
+            + "|Architecture|ClauseCoverage|Allocation|Determinism|HostileException|Stress";
 
     private static readonly TimeSpan MaxClassTime = TimeSpan.FromSeconds(20);
 
@@ -435,8 +436,8 @@ internal sealed class Worker
 
 }
 
-// Of a set of test classes: how many are run, the mutants in static state, the classes that reach each mutant, those that
-// do not pass here or last too long, and, where the reach is not known, all of them.
+// Of a set of test classes: how many are run, the mutants in static state, the classes that reach each mutant, those
+// that do not pass here or last too long, and, where the reach is not known, all of them.
 internal sealed record Covered(
     int Classes, HashSet<int> Statics, Dictionary<int, string[]> Reached, List<string> LeftOut, string[]? All);
 

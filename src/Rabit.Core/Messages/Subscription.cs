@@ -4,8 +4,8 @@ using Rabit.Core.WakeUp;
 namespace Rabit.Core.Messages;
 
 /// <summary>
-/// Whether a subscription is part of a message. It joins once; it may end before that, meanwhile, while posts go on, and
-/// more than once at a time, on any threads.
+/// Whether a subscription is part of a message. It joins once; it may end before that, meanwhile, while posts go on,
+/// and more than once at a time, on any threads.
 /// </summary>
 /// <remarks>
 /// The race it closes: it ends while it joins. It is put among the message's subscriptions first and marked as joined

@@ -5,7 +5,7 @@ public enum SeededSubscriptionFault
 {
     None,
 
-    /// <summary>It is marked as joined first and listed then: an end between the two finds nothing to take out.</summary>
+    /// <summary>It is marked as joined first and listed then: an end in between finds nothing to take out.</summary>
     JoinedBeforeItIsListed,
 
     /// <summary>What has ended before it joined stays listed.</summary>

@@ -3,7 +3,7 @@ using Xunit.Abstractions;
 
 namespace Rabit.Core.Tests.Exploration;
 
-/// <summary>Contract 2.6 in every interleaving of a subscription that ends with its start, other ends and posts.</summary>
+/// <summary>Contract 2.6 in every interleaving of the end of a subscription, its start, other ends and posts.</summary>
 public sealed class SubscriptionExplorationTests(ITestOutputHelper output)
 {
     [Theory, Trait("Clause", "2.6")]

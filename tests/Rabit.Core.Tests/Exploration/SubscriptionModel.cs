@@ -5,8 +5,8 @@ namespace Rabit.Core.Tests.Exploration;
 
 /// <summary>
 /// A subscription that joins a message while it is ended, by several threads too, and posts go on (contract 2.6): one
-/// that has ended is not left among the message's subscriptions, one that has not is, and a poster that knows that an end has
-/// returned calls nothing.
+/// that has ended is not left among the message's subscriptions, one that has not is, and a poster that knows that an
+/// end has returned calls nothing.
 /// </summary>
 internal sealed class SubscriptionModel : ExploredModel
 {

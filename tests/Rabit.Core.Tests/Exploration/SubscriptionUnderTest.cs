@@ -1,6 +1,6 @@
 namespace Rabit.Core.Tests.Exploration;
 
-/// <summary>A subscription and the list of a message's subscriptions: that of the library, or a twin with a fault.</summary>
+/// <summary>A subscription and the list that it is part of: those of the library, or a twin with a fault.</summary>
 internal abstract class SubscriptionUnderTest
 {
     // The list itself is guarded by a lock in the library: here each change of it is one step. Posters read it.
