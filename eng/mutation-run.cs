@@ -5,10 +5,10 @@
 
 // Runs the mutants of Rabit.Core that Stryker made (eng/mutation.sh), each against the tests that reach it. All mutants
 // are in one assembly and one is switched on at a time, so a process that has started once tries hundreds of them;
-// Stryker itself starts one for each few. Usage: dotnet run eng/mutation-run.cs -- REPORT.json TESTS.dll SEED COUNT
+// Stryker itself starts one for each few. Usage: dotnet run eng/mutation-run.cs -- REPORT.json TESTS.dll SEED COUNT [IDS]
 // REPORT.json is Stryker's, TESTS.dll lies beside the mutated Rabit.Core.dll. COUNT mutants, drawn with SEED, are
 // tried: against the fast tests, what survives those against all others, and what survives those too, in code that the
-// explorer runs, against the exploration.
+// explorer runs, against the exploration. IDS, with commas between them, are tried instead of the sample.
 using System;
 using System.Collections.Concurrent;
 using System.Collections.Generic;
@@ -32,10 +32,12 @@ List<Mutant> mutants = Mutant.Read(args[0]);
 string tests = Path.GetFullPath(args[1]);
 Mutant[] sample = [.. mutants];
 new Random(int.Parse(args[2], CultureInfo.InvariantCulture)).Shuffle(sample);
-sample = sample[..Math.Min(sample.Length, int.Parse(args[3], CultureInfo.InvariantCulture))];
+sample = args.Length > 4
+    ? [.. args[4].Split(',').Select(id => mutants.Single(m => m.Id == int.Parse(id, CultureInfo.InvariantCulture)))]
+    : sample[..Math.Min(sample.Length, int.Parse(args[3], CultureInfo.InvariantCulture))];
 var begun = Stopwatch.StartNew();
 foreach (string set in new[] { "fast", "other", "exploration" })
-    await TryAll(set, [.. sample.Where(m => m.IsAlive && (set != "exploration" || m.IsExplored))]);
+    await TryAll(set, [.. sample.Where(m => m.IsAlive && (set != "exploration" || m.Explorations is not null))]);
 foreach (Mutant mutant in sample.Where(m => m.IsAlive))
     Console.WriteLine($"{mutant.Outcome} {mutant.Id} {mutant.File}:{mutant.Line} {mutant.What}");
 Mutant.WriteTables(sample, mutants.Count);
@@ -66,7 +68,9 @@ void Try(string set, Covered covered, ConcurrentQueue<Mutant> queue)
     WorkerProcess? worker = null;
     while (queue.TryDequeue(out Mutant? mutant))
     {
-        string[]? classes = covered.All ?? covered.Reached.GetValueOrDefault(mutant.Id);
+        string[]? classes = set == "exploration"
+            ? [.. covered.All!.Where(name => Regex.IsMatch(name, mutant.Explorations!))]
+            : covered.Reached.GetValueOrDefault(mutant.Id);
         if (covered.Statics.Contains(mutant.Id))
         {
             // What is computed once per process is mutated only if the mutant is on from the beginning.
@@ -112,8 +116,16 @@ internal sealed record Mutant(int Id, string File, int Line, string What)
 
     public bool IsAlive => Outcome is "NoCoverage" or "Survived";
 
-    // In code that the explorer runs.
-    public bool IsExplored => Regex.IsMatch(File, "^(Messages|Queues|WakeUp)/|StageMark|Loan");
+    // Which explorations run the code that it is in; null for none.
+    public string? Explorations => File switch
+    {
+        _ when File.Contains("Loan", StringComparison.Ordinal) => "Loan",
+        _ when Regex.IsMatch(File, "^Queues/.*(Ring|Produc)") => "Ring|QueueClose|LoneSender",
+        _ when Regex.IsMatch(File, "^Messages/(Slot|Spare|Latest|Subscription)") => "Slot|Subscription",
+        _ when File.Contains("StageMark", StringComparison.Ordinal) => "Stage",
+        _ when File.StartsWith("WakeUp/", StringComparison.Ordinal) => "WakeUp|Reduced|Loan",
+        _ => null
+    };
 
     public static List<Mutant> Read(string report)
     {
@@ -229,8 +241,8 @@ internal sealed class Worker
     // Without threads of their own and fast: virtual time, models and units.
     private const string Fast =
         "InVirtualTime$|ModelTests$|VirtualTimeTests$|(BufferPool|MessageTypeCheck|SharedMessage)Tests$"
-            + "|(PeriodGrid|DurationStatistics|DurationHistogram|Watchdog|Policy|ManagerArgument|RestartWindow|WakeUpStatistics)Tests$"
-            + "|WiringTests$|Modelled(Duration|Hang)Tests$|EventLogTests$|RealTimeRequestTests$";
+            + "|(PeriodGrid|DurationStatistics|DurationHistogram|Watchdog|Policy|ManagerArgument|RestartWindow)Tests$"
+            + "|WakeUpStatisticsTests$|WiringTests$|Modelled(Duration|Hang)Tests$|EventLogTests$|RealTimeRequestTests$";
 
     // Its coverage takes too long to be measured: each step of an exploration would be noted.
     private const string Exploration = "[.]Exploration[.].*ExplorationTests$";

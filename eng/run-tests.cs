@@ -2,8 +2,8 @@
 // a program of one file is named after what it does and needs no namespace
 #pragma warning disable MA0048, MA0047, CA1050
 
-// Runs xunit's console for .NET in this process, which eng/arm.sh publishes for another processor: test hosts are started
-// by programs that there are for the host's processor only. The tests lie beside this program, xunit's files beside its
+// Runs xunit's console for .NET in this process, which eng/arm.sh publishes for another processor: test hosts are
+// started by programs that there are for the host's processor only. The tests lie beside this program, xunit's files beside its
 // console. Usage: run-tests xunit.console.dll TESTS.dll [options of xunit]
 using System;
 using System.IO;
