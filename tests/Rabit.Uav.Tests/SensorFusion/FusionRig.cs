@@ -85,6 +85,10 @@ internal sealed class FusionRig : IDisposable
 
     /// <summary>Half a second goes by, and a picture of 48 by 36 m around a point is searched.</summary>
     public void Observe(double north, double east, params TargetReport[] reports)
+        => Observe(north, east, 18, 24, reports);
+
+    /// <summary>The same with a picture of another size, half of it in metres.</summary>
+    public void Observe(double north, double east, double toNorth, double toEast, params TargetReport[] reports)
     {
         Run(0.5);
         _number++;
@@ -100,10 +104,10 @@ internal sealed class FusionRig : IDisposable
             Number = _number,
             Time = Now,
             Reports = [.. numbered],
-            TopLeft = At(18, -24),
-            TopRight = At(18, 24),
-            BottomRight = At(-18, 24),
-            BottomLeft = At(-18, -24),
+            TopLeft = At(toNorth, -toEast),
+            TopRight = At(toNorth, toEast),
+            BottomRight = At(-toNorth, toEast),
+            BottomLeft = At(-toNorth, -toEast),
         });
         Run(0);
     }

@@ -44,6 +44,9 @@ internal sealed class MotionFilter
         IsStarted = false;
     }
 
+    /// <summary>Goes on with another model of as many modes.</summary>
+    public void ChangeModel(MotionModel model) => _model = model;
+
     public void CopyFrom(MotionFilter other)
     {
         _model = other._model;
@@ -68,7 +71,8 @@ internal sealed class MotionFilter
     }
 
     /// <summary>Goes to the time of a measurement and takes it in; starts with it, if it is the first.</summary>
-    public void Take(in TrackMeasurement measurement, RegistrationSlots slots)
+    /// <returns>How likely it was there, per square metre; 1 for the first.</returns>
+    public double Take(in TrackMeasurement measurement, RegistrationSlots slots)
     {
         int slot = slots.Of(measurement);
         TrackMeasurement measured = slot >= 0 ? measurement with { Registration = slots[slot] } : measurement;
@@ -77,15 +81,12 @@ internal sealed class MotionFilter
             for (int mode = 0; mode < _model.Modes; mode++)
                 _modes[mode].Start(measured, slot, _model.StartVelocitySigma);
             Start(measured.Time);
-            return;
+            return 1;
         }
 
         PredictTo(measured.Time);
         if (_model.Modes == 1)
-        {
-            _modes[0].Update(measured, slot, slots.Count);
-            return;
-        }
+            return _modes[0].Update(measured, slot, slots.Count).Likelihood;
 
         double first = _weights[0] * _modes[0].Update(measured, slot, slots.Count).Likelihood;
         double second = _weights[1] * _modes[1].Update(measured, slot, slots.Count).Likelihood;
@@ -94,6 +95,7 @@ internal sealed class MotionFilter
         // Far outside both, where neither likelihood is a number above 0, they say nothing on the mode.
         if (sum > 1e-300)
             (_weights[0], _weights[1]) = (first / sum, second / sum);
+        return sum;
     }
 
     /// <summary>Goes on to a time; back to an earlier one only to compare, not to take measurements in.</summary>
@@ -117,6 +119,26 @@ internal sealed class MotionFilter
             _modes[mode].State[0],
             _modes[mode].State[2],
             _modes[mode].ExpectedCovariance(slot) + registration);
+
+    /// <summary>That of the place, of all modes together.</summary>
+    public HorizontalCovariance PositionCovariance
+    {
+        get
+        {
+            HorizontalCovariance sum = default;
+            for (int mode = 0; mode < _model.Modes; mode++)
+            {
+                double north = _modes[mode].State[0] - North;
+                double east = _modes[mode].State[2] - East;
+                HorizontalCovariance c = _modes[mode].PositionCovariance;
+                sum += new HorizontalCovariance(
+                    _weights[mode] * (c.NorthNorth + (north * north)), _weights[mode] * (c.NorthEast + (north * east)),
+                    _weights[mode] * (c.EastEast + (east * east)));
+            }
+
+            return sum;
+        }
+    }
 
     /// <summary>The covariance of all modes together: sixteen numbers, row by row.</summary>
     public void CopyCovarianceTo(Span<double> covariance)

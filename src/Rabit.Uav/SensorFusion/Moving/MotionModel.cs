@@ -55,6 +55,13 @@ internal sealed class MotionModel
         double leaveLivelyPerSecond)
         => new(quiet, lively, startVelocitySigma, leaveQuietPerSecond, leaveLivelyPerSecond);
 
+    /// <summary>
+    /// The same target while it meets another one: it is less likely to turn or stop just there than anywhere.
+    /// </summary>
+    /// <param name="factor">By which the white acceleration is less.</param>
+    public MotionModel Steadier(double factor) => new(
+        factor * _quiet, factor * _lively, StartVelocitySigma, LeaveQuietPerSecond, LeaveLivelyPerSecond);
+
     /// <summary>Intensity of the white acceleration of a mode, m2/s3.</summary>
     public double ProcessNoise(int mode) => mode == 0 ? _quiet : _lively;
 

@@ -39,6 +39,9 @@ internal sealed class MovingTrack(TrackerSettings settings)
 
     public TimeSpan LastSeen => Filter.Time;
 
+    /// <summary>How uncertain its last point was by itself.</summary>
+    public HorizontalCovariance LastPointCovariance { get; private set; }
+
     /// <summary>The probability of existence that it began with.</summary>
     public double StartExistence { get; private set; }
 
@@ -63,6 +66,7 @@ internal sealed class MovingTrack(TrackerSettings settings)
         (Widest, _quiet, _hasTwoModes) = (default, default, false);
         (MissProbability, IsTooNew) = (1, false);
         FirstSeen = point.Measurement.Time;
+        LastPointCovariance = point.Measurement.Covariance;
         Description.Clear();
         History = default;
         History.Add(isHit: true);
@@ -105,6 +109,7 @@ internal sealed class MovingTrack(TrackerSettings settings)
         if (result != TakeResult.Used)
             return result;
         Points++;
+        LastPointCovariance = point.Measurement.Covariance;
         History.Add(isHit: true);
         Weigh(likelihood);
         if (point.Marker >= 0)

@@ -21,6 +21,7 @@ internal sealed class MovingTracker
     private readonly Stack<MovingTrack> _unused;
     private readonly ScanAssociation _association;
     private readonly int[] _trackOfPoint;
+    private readonly Meetings _meetings;
     private readonly Func<int> _nextId;
     private TimeSpan? _time;
 
@@ -41,6 +42,7 @@ internal sealed class MovingTracker
         for (int i = 0; i < settings.MaxTracks; i++)
             _unused.Push(new MovingTrack(settings));
         _association = new ScanAssociation(settings);
+        _meetings = new Meetings(settings, models);
         _trackOfPoint = new int[settings.MaxPoints];
         Clear();
     }
@@ -77,6 +79,7 @@ internal sealed class MovingTracker
     {
         for (int t = _tracks.Count - 1; t >= 0; t--)
             Remove(t);
+        _meetings.Clear();
         _clutter.AsSpan().Fill(new ClutterEstimate(_settings.MinClutterDensity));
         _time = null;
     }
@@ -105,6 +108,7 @@ internal sealed class MovingTracker
         Expect(scan, points.Length > 0 ? points[0].Measurement.Registration : default);
         _association.Pair(_tracks, points, scan.DetectionProbability, _otherDensity);
         UpdateTracks(scan, points);
+        _meetings.Update(_tracks, Time, _trackOfPoint.AsSpan(0, points.Length));
         EstimateClutter(scan);
         StartTracks(points);
         Delete();

@@ -16,6 +16,12 @@ internal sealed class OutOfSequenceFilter(TimeSpan window, int capacity)
     private readonly MotionFilter _base = new();
     private int _count;
 
+    /// <summary>The measurements that are kept, by time.</summary>
+    public ReadOnlySpan<TrackMeasurement> Kept => _measurements.AsSpan(0, _count);
+
+    /// <summary>The estimate before those; not started where they are all.</summary>
+    public MotionFilter Before => _base;
+
     /// <summary>The estimate at the time of the newest measurement.</summary>
     public MotionFilter Current => _current;
 
@@ -60,6 +66,17 @@ internal sealed class OutOfSequenceFilter(TimeSpan window, int capacity)
         else
             Replay(_current, _current.Time);
         return TakeResult.Used;
+    }
+
+    /// <summary>Takes other measurements in the place of those that are kept.</summary>
+    /// <param name="measurements">
+    /// By time; none before the estimate that goes before, and no more than there is room for.
+    /// </param>
+    public void Replace(ReadOnlySpan<TrackMeasurement> measurements)
+    {
+        measurements.CopyTo(_measurements);
+        _count = measurements.Length;
+        Replay(_current, TimeSpan.MaxValue);
     }
 
     /// <summary>Whether a measurement of a time cannot be taken any more.</summary>

@@ -29,6 +29,18 @@ internal sealed record TrackerSettings
     /// </summary>
     public double ConfirmedBonus { get; init; } = 5;
 
+    /// <summary>
+    /// By how much, as a logarithm, it must be likelier that two tracks that met have exchanged their points than that
+    /// they have not, for the exchange to be undone.
+    /// </summary>
+    public double ExchangeMargin { get; init; } = 2;
+
+    /// <summary>How much steadier than else targets are taken to go on where they meet.</summary>
+    /// <value>
+    /// By this factor the white acceleration is less; chosen on seeds 1 to 20 of <c>CrossingTests</c>, as the margin.
+    /// </value>
+    public double MeetingNoise { get; init; } = 0.1;
+
     /// <summary>In how many of the last <see cref="ConfirmOutOf"/> looks it must have been reported, too.</summary>
     public int ConfirmHits { get; init; } = 3;
 
