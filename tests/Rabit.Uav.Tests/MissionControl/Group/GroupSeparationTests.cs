@@ -1,0 +1,66 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Xunit;
+using Xunit.Abstractions;
+
+namespace Rabit.Uav.Tests.MissionControl.Group;
+
+/// <summary>
+/// Vehicles of a group keep 30 m apart over ground or 15 m in height, but within 15 m of one's own landing place,
+/// whatever is lost and whatever happens to one of them.
+/// </summary>
+public sealed class GroupSeparationTests(ITestOutputHelper output)
+{
+    [Theory]
+    [InlineData(201)]
+    public void Flight_OfASeed_KeepsTheVehiclesApart(int seed)
+    {
+        using var flight = new SeparationFlight(seed);
+        flight.Fly();
+        Assert.True(flight.HasEnded, flight.Story);
+        Assert.True(flight.TooNear.Count == 0, flight.TooNear.FirstOrDefault() + flight.Story);
+    }
+
+    // The layers are 20 m apart: 5 m are left for both errors together.
+    [Fact]
+    public void Flights_HeightsAreWrongByMoreThanTheLayersAllow_AreFoundTooNear()
+    {
+        bool isFound = false;
+        for (int seed = 201; seed <= 204 && !isFound; seed++)
+        {
+            using var flight = new SeparationFlight(seed, heightErrorMetres: 8);
+            flight.Fly();
+            isFound |= flight.TooNear.Count > 0;
+        }
+
+        Assert.True(isFound);
+    }
+
+    [Fact]
+    [Trait("Category", "Long")]
+    public void Flights_OfTwoHundredSeeds_KeepTheVehiclesApart()
+    {
+        var faults = new List<string>();
+        (double least, int passes, int validated, int followed) = (double.PositiveInfinity, 0, 0, 0);
+        for (int seed = 1; seed <= 200; seed++)
+        {
+            using var flight = new SeparationFlight(seed);
+            flight.Fly();
+            (least, passes) = (Math.Min(least, flight.MinHeightMetres), passes + flight.Passes);
+            (validated, followed) = (validated + flight.Validations, followed + flight.Followed);
+            if (!flight.HasEnded)
+                faults.Add($"seed {seed} has not ended");
+            if (flight.TooNear.Count > 0)
+                faults.Add($"seed {seed}: {flight.TooNear.Count} times, first {flight.TooNear[0]}");
+        }
+
+        output.WriteLine(FormattableString.Invariant(
+            $"200 flights: {validated} targets validated, {followed} followed; {passes} times two were within 30 m ")
+            + FormattableString.Invariant($"over ground, with {least:0.0} m of height between them or more"));
+        Assert.True(faults.Count == 0, string.Join(Environment.NewLine, faults));
+        Assert.True(
+            validated > 200 && followed > 100 && passes > 200,
+            $"{validated} validated, {followed} followed, {passes} passes");
+    }
+}
