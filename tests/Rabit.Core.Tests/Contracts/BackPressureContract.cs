@@ -83,9 +83,12 @@ public abstract class BackPressureContract(TimeKind kind) : ContractTests(kind)
         QueueSender<int> sender = source.Send<int>("values");
 
         run.StartAndSettle();
-        run.On(source, () => Assert.Contains(
-            "wakeOnPop: true", Assert.Throws<InvalidOperationException>(() => sender.TryPushOrHold(1)).Message,
-            StringComparison.Ordinal));
+        string text = "";
+        run.On(source, () => text = Assert.Throws<InvalidOperationException>(() => sender.TryPushOrHold(1)).Message);
+
+        Assert.Contains("'values'", text, StringComparison.Ordinal);
+        Assert.Contains("'source'", text, StringComparison.Ordinal);
+        Assert.Contains("wakeOnPop: true", text, StringComparison.Ordinal);
     }
 
     private sealed class Owned : IDisposable

@@ -245,6 +245,25 @@ public abstract class BufferContract(TimeKind kind) : ContractTests(kind)
         Assert.All(faults, e => Assert.Equal("queue", e.Source));
     }
 
+    [Fact, Trait("Clause", "2.5"), Trait("Clause", "3.1")]
+    public void Queue_ThatDropsTheNewest_DisposesThatOne()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager source = run.Add("source");
+        QueueSender<Grenade> sender = source.Send<Grenade>("queue");
+        run.Add("sink").Receive<Grenade>("queue", 2, QueueFullMode.DropNewest, wakeOnPush: false);
+
+        run.StartAndSettle();
+        run.On(source, () =>
+        {
+            sender.Push(new Grenade(1));
+            sender.Push(new Grenade(2));
+            Assert.Equal(PushResult.QueuedDroppedNewest, sender.Push(new Grenade(3)));
+        });
+
+        Assert.Equal("bang 2", Assert.Single(run.Log, e => e.Kind == RabitLogKind.Fault).Exception!.Message);
+    }
+
     private static Picture Take(BufferPool pool, int number)
     {
         Assert.True(pool.TryRent("source", out BufferLease lease));

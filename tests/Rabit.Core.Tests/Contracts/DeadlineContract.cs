@@ -43,6 +43,21 @@ public abstract class DeadlineContract(TimeKind kind) : ContractTests(kind)
         Assert.Equal(0, run.StatusOf(manager).LateUnitsOfWork);
     }
 
+    [Fact, Trait("Clause", "4.4")]
+    public void UnitOfWork_OnTimeAfterALateOne_IsNotCounted()
+    {
+        using TestRun run = NewLongRun(out ScriptedManager manager);
+        manager.UnitOfWorkDeadline = TimeSpan.FromTicks(1);
+        manager.OnLate = _ => manager.UnitOfWorkDeadline = TimeSpan.FromHours(1);
+
+        run.StartAndSettle();
+        run.OnAndSettle(manager, () => { });
+        run.OnAndSettle(manager, () => { });
+        run.Finish();
+
+        Assert.Equal((3, 1), (manager.Units, run.StatusOf(manager).LateUnitsOfWork));
+    }
+
     [Fact, Trait("Clause", "4.4"), Trait("Clause", "1.7")]
     public void LateCallback_ThatThrows_IsAFaultOfTheUnitOfWork()
     {

@@ -62,6 +62,30 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "3.1")]
+    public async Task PushAsync_OneTimesOut_TheLaterOneStillWaits()
+    {
+        using TestRun run = NewRun();
+        run.Add("ticker").WakeUpDelay = TimeSpan.FromMilliseconds(1);
+        run.Add("sink").Receive<int>("queue", 1, QueueFullMode.Wait, wakeOnPush: false, maxWait: Limit);
+        QueueSender<int> outside = run.Reactor.Workspace.Send<int>("queue");
+        run.StartAndSettle();
+        await outside.PushAsync(1);
+        TimeSpan begin = run.Reactor.Now;
+        Task<PushResult> first = outside.PushAsync(2).AsTask();
+        run.Until(() => run.Reactor.Now >= begin + TimeSpan.FromTicks(Limit.Ticks / 2), "half of the time is over");
+        bool wasEarly = first.IsCompleted && run.Reactor.Now < begin + Limit;
+        TimeSpan middle = run.Reactor.Now;
+        Task<PushResult> second = outside.PushAsync(3).AsTask();
+        run.Until(() => first.IsCompleted, "the first one's time is up");
+        wasEarly |= second.IsCompleted && run.Reactor.Now < middle + Limit;
+        run.Until(() => second.IsCompleted, "the second one's time is up");
+
+        Assert.False(wasEarly);
+        Assert.Equal(PushResult.TimedOut, await first);
+        Assert.Equal(PushResult.TimedOut, await second);
+    }
+
+    [Fact, Trait("Clause", "3.1")]
     public async Task PushAsync_Cancelled_IsNotPutInAndLetsTheNextOneGo()
     {
         using TestRun run = NewRun();

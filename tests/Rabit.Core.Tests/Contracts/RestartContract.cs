@@ -156,6 +156,10 @@ public abstract class RestartContract(TimeKind kind) : ContractTests(kind)
             Assert.True(Kind.HasThreads ? gap >= expected[i] : gap == expected[i], $"restart {i}: {gap} ms");
         }
 
+        Assert.Contains(
+            run.Log,
+            e => e.Text.StartsWith("is not restarted any more: ", StringComparison.Ordinal)
+                && e.Text.EndsWith("boom, after 4 restarts within 00:01:00", StringComparison.Ordinal));
         Assert.Equal((5, 5), (faulty.Startups, faulty.Shutdowns));
         Assert.Equal((4, 5), (result.Managers[0].Restarts, result.Managers[0].FaultCount));
         Assert.Equal(

@@ -109,6 +109,20 @@ public abstract class StopDelayContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "1.9")]
+    public void Stop_OneManagerDelaysNoLongerAndOneToTheLimit_OnlyThatOneIsNamed()
+    {
+        using TestRun run = NewDelayingRun(Short, out ScriptedManager _);
+        ScriptedManager other = run.Add("other");
+        run.StartAndSettle();
+        run.OnAndSettle(other, () => other.DelaysStop = true);
+        run.OnAndSettle(other, () => other.DelaysStop = false);
+
+        run.Reactor.Stop();
+
+        Assert.Equal(["holder"], run.FinishByItself().StillDelaying);
+    }
+
+    [Fact, Trait("Clause", "1.9")]
     public void Stop_RequestedAgainFromOutside_EndsTheDelay()
     {
         using TestRun run = NewDelayingRun(Hour, out ScriptedManager holder);

@@ -33,6 +33,7 @@ public abstract class StopManagerContract(TimeKind kind) : ContractTests(kind)
         Assert.Equal(ManagerOutcome.Ended, result.Managers[1].Outcome);
         Assert.Equal(1, result.ExitCode);
         Assert.Contains("StoppedAlone", result.ToString(), StringComparison.Ordinal);
+        Assert.Contains(run.Log, e => e.Source == "faulty" && e.Text == "is stopped alone; the others continue");
     }
 
     [Fact, Trait("Clause", "1.7"), Trait("Clause", "3.1")]

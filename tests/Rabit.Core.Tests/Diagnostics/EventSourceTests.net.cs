@@ -36,6 +36,33 @@ public sealed class EventSourceTests
         Assert.Contains(listener.Events, e => e == $"UnitOfWork {name} 0 0");
     }
 
+    [Fact, Trait("Clause", "4.4")]
+    public void UnitOfWork_ThatTakesTime_TellsItsDurationAndTheWakeLatency()
+    {
+        string name = "long-" + Guid.NewGuid().ToString("N");
+        using var listener = new Listener(name);
+        using var run = new TestRun(
+            TimeKind.Virtual,
+            o => ((VirtualTime)o.Time).SetUnitOfWorkDuration(name, TimeSpan.FromMilliseconds(5)));
+        ScriptedManager manager = run.Add(name);
+        ScriptedManager waker = run.Add("waker");
+        waker.WakeUpDelay = TimeSpan.FromMilliseconds(2);
+        waker.OnUnit = () =>
+        {
+            if (waker.Units is 2 or 7)
+                manager.WakeUp();
+        };
+
+        run.Start();
+        run.Reactor.RunFor(TimeSpan.FromMilliseconds(20));
+        run.Finish();
+
+        // Woken at 2 ms, while its first unit of work takes until 5: no latency. And at 12, while it sleeps.
+        Assert.Equal(
+            [$"UnitOfWork {name} 5000 0", $"UnitOfWork {name} 5000 -1", $"UnitOfWork {name} 5000 0"],
+            listener.Events.Where(e => e.StartsWith("UnitOfWork ", StringComparison.Ordinal)).ToArray());
+    }
+
     private sealed class Listener(string name) : EventListener
     {
         private readonly List<string> _events = [];   // guarded by itself

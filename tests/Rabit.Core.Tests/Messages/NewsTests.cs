@@ -42,6 +42,19 @@ public sealed class NewsTests : IDisposable
     }
 
     [Fact, Trait("Clause", "2.6")]
+    public void ReadAll_OfAManagersEndpoint_IsRefusedAtTheCall()
+    {
+        var manager = new ScriptedManager("reader", new TestBoard());
+        MessageSubscriber<int> own = manager.Subscribe<int>("height");
+        _reactor.Add(manager);
+        _reactor.Start();
+
+        Assert.Contains(
+            "belongs to 'reader'", Assert.Throws<InvalidOperationException>(() => { own.ReadAllAsync(); }).Message,
+            StringComparison.Ordinal);
+    }
+
+    [Fact, Trait("Clause", "2.6")]
     public async Task WaitForNews_TheRunEnds_ComesBackWithout()
     {
         _reactor.Start();
