@@ -218,6 +218,33 @@ public abstract class ManagerContract(TimeKind kind) : ContractTests(kind)
 
         Assert.Equal("first", run.Finish("second").StopReason);
     }
+
+    [Fact, Trait("Clause", "4.5")]
+    public void Doing_OfAnEarlierUnitOfWork_IsForgotten()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager manager = run.Add("m");
+
+        run.StartAndSettle();
+        run.OnAndSettle(manager, () => manager.Doing = "reading the scale");
+
+        run.OnAndSettle(manager, () => Assert.Null(manager.Doing));
+    }
+
+    [Fact, Trait("Clause", "4.4")]
+    public void LogRuns_Wanted_EachRunIsLoggedWithItsCauses()
+    {
+        using TestRun run = NewRun(options => options.LogRuns = true);
+        ScriptedManager manager = run.Add("m");
+
+        run.StartAndSettle();
+        run.OnAndSettle(manager, () => { });
+        run.Finish();
+
+        Assert.Equal(
+            ["runs, woken by Start", "runs, woken by Request"],
+            run.Log.Where(e => e.Kind == RabitLogKind.Run).Select(e => e.Text));
+    }
 }
 
 public sealed class ManagerInRealTime() : ManagerContract(TimeKind.Real);

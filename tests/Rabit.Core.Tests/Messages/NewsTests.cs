@@ -42,16 +42,23 @@ public sealed class NewsTests : IDisposable
     }
 
     [Fact, Trait("Clause", "2.6")]
-    public void ReadAll_OfAManagersEndpoint_IsRefusedAtTheCall()
+    public void AsyncUse_OfAManagersEndpoint_IsRefusedAtTheCall()
     {
         var manager = new ScriptedManager("reader", new TestBoard());
         MessageSubscriber<int> own = manager.Subscribe<int>("height");
         _reactor.Add(manager);
         _reactor.Start();
 
-        Assert.Contains(
-            "belongs to 'reader'", Assert.Throws<InvalidOperationException>(() => { own.ReadAllAsync(); }).Message,
-            StringComparison.Ordinal);
+        string[] texts =
+        [
+            Assert.Throws<InvalidOperationException>(() => { own.ReadAllAsync(); }).Message,
+            Assert.Throws<InvalidOperationException>(() => { _ = own.WaitForNewsAsync(); }).Message,
+        ];
+        Assert.All(
+            texts,
+            t => Assert.EndsWith(
+                "belongs to 'reader': async code gets an endpoint of its own from the workspace.", t,
+                StringComparison.Ordinal));
     }
 
     [Fact, Trait("Clause", "2.6")]

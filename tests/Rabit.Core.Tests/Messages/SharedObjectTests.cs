@@ -40,6 +40,26 @@ public sealed class SharedObjectTests : IDisposable
         _goesOn.Dispose();
     }
 
+    [Fact, Trait("Clause", "2.3"), Trait("Clause", "2.5")]
+    public void Post_AfterFetchesAndLooksAtTheStamp_MakesNoNewInstance()
+    {
+        int[] clones = [0];
+        var shared = new SharedObject<Counted>(MessagePlaces.New("counted"), new Counted(clones));
+        LocalCopy<Counted> poster = shared.CreateCopy();
+        LocalCopy<Counted> fetcher = shared.CreateCopy();
+        shared.Post(poster, Manager, TimeSpan.Zero);
+        int before = clones[0];
+
+        for (int i = 0; i < 20; i++)
+        {
+            shared.Post(poster, Manager, TimeSpan.Zero);
+            shared.ReadStamp();
+            shared.Fetch(fetcher);
+        }
+
+        Assert.Equal(before, clones[0]);
+    }
+
     [Fact, Trait("Clause", "1.8"), Trait("Clause", "2.4")]
     public void Fetch_IsHeldUpInTheCopy_OthersPostAndFetch()
     {
@@ -133,5 +153,19 @@ public sealed class SharedObjectTests : IDisposable
             return;
         _isInside.Set();
         _goesOn.Wait();
+    }
+
+    private sealed class Counted(int[] clones) : ISelfCopying<Counted>
+    {
+        public Counted Clone()
+        {
+            clones[0]++;
+            return new Counted(clones);
+        }
+
+        public void CopyTo(Counted target)
+        {
+            // It has no values of its own.
+        }
     }
 }

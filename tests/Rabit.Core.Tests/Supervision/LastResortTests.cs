@@ -39,7 +39,8 @@ public sealed class LastResortTests : InterruptingTests
         Assert.Equal(ManagerOutcome.Faulted, result.Managers[1].Outcome);
         Assert.IsType<HostileException>(Assert.Single(result.Managers[1].Faults).Exception);
         Assert.StartsWith("m ended unexpectedly in UnitOfWork: Host", result.StopReason, StringComparison.Ordinal);
-        Assert.Equal(ManagerState.Faulted, result.Managers[1].Status.State);
+        Assert.Equal((ManagerState.Faulted, 1), (result.Managers[1].Status.State, result.Managers[1].Status.Faults));
+        Assert.Null(result.Failure);
         Assert.Contains(run.Log, e => e.Kind == RabitLogKind.Fault && e.Source == "m");
         Assert.Equal(1, result.ExitCode);
     }
@@ -75,6 +76,20 @@ public sealed class LastResortTests : InterruptingTests
         ManagerResult result = run.FinishByItself().Managers[0];
 
         Assert.Equal([ManagerStage.UnitOfWork, ManagerStage.Shutdown], result.Faults.Select(f => f.Stage));
+    }
+
+    [Fact, Trait("Clause", "1.7"), Trait("Clause", "1.9")]
+    public void Manager_ThatDelaysStopsWhenItsClockThrows_IsNotWaitedFor()
+    {
+        using TestRun run = NewRun(WaitEngine.Best, out FailingClock clock);
+        ScriptedManager manager = run.Add("m");
+        manager.DelaysStop = true;
+        run.StartAndSettle();
+
+        clock.FailOn("m", new InvalidOperationException("boom"));
+        manager.WakeUp();
+
+        Assert.Empty(run.FinishByItself().StillDelaying);
     }
 
     [Theory, Trait("Clause", "1.7"), Trait("Clause", "1.8")]
@@ -130,6 +145,7 @@ public sealed class LastResortTests : InterruptingTests
         {
             o.Time = new RealTime(made) { WaitEngine = engine };
             o.HangPolicy = HangPolicy.Report.WithLimits(TimeSpan.FromMinutes(1));
+            o.MaxStopDelay = TestTimeout.Limit;
         });
     }
 
