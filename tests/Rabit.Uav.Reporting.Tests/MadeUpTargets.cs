@@ -15,6 +15,9 @@ internal static class MadeUpTargets
 {
     public const int FalseTrackId = 8;
 
+    /// <summary>The one track whose bearing is known: 35 degrees or 215, within 1.3.</summary>
+    public const int BearingTrackId = 2;
+
     public static IReadOnlyList<TargetScore> Targets { get; } =
     [
         Target("T1", DefaultTargetClasses.Red, 48, 60),
@@ -83,6 +86,12 @@ internal static class MadeUpTargets
             Reports = 12 + id,
             Misses = id % 3,
             SizeMetres = 1.02,
+            Bearing = id == BearingTrackId
+                ? new TargetBearing(Angle.FromDegrees(35), Angle.FromDegrees(1.2), BearingSymmetry.HalfTurn)
+                {
+                    SystematicSigma = Angle.FromDegrees(0.5),
+                }
+                : null,
             FirstSeen = TimeSpan.FromSeconds(40 + (15 * id)),
             LastSeen = TimeSpan.FromSeconds(60 + (18 * id)),
             BestPictureNumber = 100 + id,

@@ -123,8 +123,8 @@ internal sealed class MissionPanel(FlightMonitor monitor, int width)
 
     private string TargetText(TargetTrack track) => string.Format(
         CultureInfo.InvariantCulture,
-        IsWide ? "{0,3} {1,-8} {2:0.0000000} {3:0.0000000} ±{4:0.0} m, {5} reports{6}"
-            : "{0,3} {1} {2:0.00000} {3:0.00000} ±{4:0.0}{6}",
+        IsWide ? "{0,3} {1,-8} {2:0.0000000} {3:0.0000000} ±{4:0.0} m, {5} reports{6}{7}"
+            : "{0,3} {1} {2:0.00000} {3:0.00000} ±{4:0.0}{6}{7}",
         track.Id,
         TargetClassNames.Name(track.Class),
         track.Position.Latitude.Degrees,
@@ -136,7 +136,8 @@ internal sealed class MissionPanel(FlightMonitor monitor, int width)
             TrackState.Lost => " lost",
             TrackState.Rejected => " rejected",
             _ => string.Empty,
-        });
+        },
+        track.Bearing is not { } bearing ? string.Empty : $" {FlightText.Bearing(bearing)}");
 
     private string Field(string name, string text, string style)
         => $"[grey]{name,-NameWidth}[/][{style}]"

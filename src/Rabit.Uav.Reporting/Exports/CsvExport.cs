@@ -17,6 +17,7 @@ internal sealed class CsvExport
         "kind", "number", "ring", "latitude_deg", "longitude_deg", "altitude_amsl_m", "time_s", "height_above_home_m",
         "ground_speed_m_per_s", "yaw_deg", "battery_percent", "coverage_percent", "phase", "class", "state",
         "ellipse95_half_major_m", "ellipse95_half_minor_m", "ellipse_major_axis_deg", "reports",
+        "bearing_deg", "bearing_deviation_deg", "bearing_symmetry",
     ];
 
     private readonly TextWriter _output;
@@ -99,6 +100,13 @@ internal sealed class CsvExport
         Set("ellipse95_half_minor_m", target.Covariance.HalfMinorAxis95Metres, "0.000");
         Set("ellipse_major_axis_deg", target.Covariance.MajorAxis.Degrees, "0.00");
         Set("reports", target.Reports, "0");
+        if (target.Bearing is { } bearing)
+        {
+            Set("bearing_deg", bearing.Angle.Degrees, "0.00");
+            Set("bearing_deviation_deg", bearing.TotalSigma.Degrees, "0.00");
+            Set("bearing_symmetry", bearing.Symmetry.ToString());
+        }
+
         End();
     }
 

@@ -108,6 +108,13 @@ internal sealed class GeoJsonExport
         WriteNumber("ellipse95HalfMinorAxisMetres", target.Covariance.HalfMinorAxis95Metres, 3);
         WriteNumber("ellipseMajorAxisDegrees", target.Covariance.MajorAxis.Degrees, 2);
         _json.WriteNumber("reports", target.Reports);
+        if (target.Bearing is { } bearing)
+        {
+            WriteNumber("bearingDegrees", bearing.Angle.Degrees, 2);
+            WriteNumber("bearingDeviationDegrees", bearing.TotalSigma.Degrees, 2);
+            _json.WriteString("bearingSymmetry", bearing.Symmetry.ToString());
+        }
+
         WriteNumber("firstSeenSeconds", target.FirstSeen.TotalSeconds, 3);
         WriteNumber("lastSeenSeconds", target.LastSeen.TotalSeconds, 3);
         BeginGeometry("Point");

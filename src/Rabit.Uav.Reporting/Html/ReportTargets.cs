@@ -79,6 +79,8 @@ internal sealed class ReportTargets(PageWriter page, FlightSummary data)
         Fact("seen", $"{FlightText.Clock(track.FirstSeen)} to {FlightText.Clock(track.LastSeen)}");
         if (track.Motion != TargetMotion.Standing)
             Fact("speed", $"{FlightText.Number(track.VelocityNed.HorizontalLength, "0.0")} m/s when last seen");
+        if (track.Bearing is { } bearing)
+            Fact("bearing", FlightText.Bearing(bearing));
         Fact("size", $"{FlightText.Number(track.SizeMetres, "0.0")} m square");
     }
 
@@ -127,6 +129,8 @@ internal sealed class ReportTargets(PageWriter page, FlightSummary data)
             "rx", N(track.Covariance.HalfMajorAxis95Metres * scale), "ry",
             N(track.Covariance.HalfMinorAxis95Metres * scale),
             "transform", $"rotate({N((Angle.FromRadians(track.Covariance.MajorAxis.Radians).Degrees) - 90)})");
+        if (track.Bearing is { } bearing)
+            WriteBearing(bearing);
         page.Empty("path", "class", "mark", "d", "M0 -5l5 5l-5 5l-5 -5z", "fill", TargetClassNames.Css(track.Class));
         if (target is not null)
         {
@@ -136,6 +140,20 @@ internal sealed class ReportTargets(PageWriter page, FlightSummary data)
 
         page.Element("text", $"{FlightText.Number(metres)} m", "x", "62", "y", "61", "text-anchor", "end");
         page.Close();
+    }
+
+    // A line for each end that may be the front.
+    private void WriteBearing(TargetBearing bearing)
+    {
+        double period = bearing.Period.Degrees;
+        var lines = new System.Text.StringBuilder();
+        for (double turn = 0; turn < 360; turn += period)
+        {
+            double angle = Angle.FromDegrees(bearing.Angle.Degrees + turn).Radians;
+            lines.Append($"M0 0L{N(PlotRadius * Math.Sin(angle))} {N(-PlotRadius * Math.Cos(angle))}");
+        }
+
+        page.Empty("path", "class", "bearing", "d", lines.ToString());
     }
 
     private static string Ellipse(TargetTrack track)

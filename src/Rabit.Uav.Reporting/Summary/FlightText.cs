@@ -55,6 +55,23 @@ public static class FlightText
         _ => autopilot.ToString(),
     };
 
+    /// <summary>
+    /// All directions in which a target may point, and how well that is known: <c>35/215° ±2°</c>.
+    /// </summary>
+    /// <param name="bearing">Of the target.</param>
+    public static string Bearing(in TargetBearing bearing)
+    {
+        double[] all = bearing.Symmetry switch
+        {
+            BearingSymmetry.HalfTurn => [0, 180],
+            BearingSymmetry.QuarterTurn => [0, 90, 180, 270],
+            _ => [0],
+        };
+        double first = bearing.Angle.Degrees;
+        return string.Join("/", all.Select(turn => Number(Math.Round(first + turn) % 360, "0")))
+            + $"° ±{Number(Math.Ceiling(bearing.TotalSigma.Degrees), "0")}°";
+    }
+
     /// <summary>The short name of a phase.</summary>
     /// <param name="phase">The phase.</param>
     public static string Phase(MissionPhase phase) => phase switch

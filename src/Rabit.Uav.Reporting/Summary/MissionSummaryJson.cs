@@ -136,6 +136,7 @@ internal static class MissionSummaryJson
             json.WriteString("class", TargetClassNames.Name(track.Class));
             WritePosition(json, track.Position);
             WriteEllipse(json, track.Covariance);
+            WriteBearing(json, track.Bearing);
             json.WriteNumber("reports", track.Reports);
             json.WriteNumber("misses", track.Misses);
             WriteNumber(json, "firstSeenSeconds", track.FirstSeen.TotalSeconds);
@@ -151,6 +152,16 @@ internal static class MissionSummaryJson
         }
 
         json.WriteEndArray();
+    }
+
+    private static void WriteBearing(Utf8JsonWriter json, TargetBearing? bearing)
+    {
+        WriteNumber(json, "bearingDegrees", bearing?.Angle.Degrees ?? double.NaN, 2);
+        WriteNumber(json, "bearingDeviationDegrees", bearing?.TotalSigma.Degrees ?? double.NaN, 2);
+        if (bearing is { } known)
+            json.WriteString("bearingSymmetry", known.Symmetry.ToString());
+        else
+            json.WriteNull("bearingSymmetry");
     }
 
     private static void WritePhases(Utf8JsonWriter json, IEnumerable<PhaseChange> phases)

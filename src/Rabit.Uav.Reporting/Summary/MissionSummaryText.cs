@@ -92,7 +92,7 @@ internal sealed class MissionSummaryText(TextWriter output, FlightSummary summar
                 ? "MISSED"
                 : $"found, error {FlightText.Number(target.ErrorMetres, "0.00")} m, 95 % ellipse {Ellipse(track)} "
                     + $"{(target.EllipseContainsTruth ? "contains it" : "DOES NOT CONTAIN IT")}, track "
-                    + $"{FlightText.Number(track.Id)}, {FlightText.Number(track.Reports)} reports{Motion(track)}"));
+                    + $"{FlightText.Number(track.Id)}, {FlightText.Number(track.Reports)} reports{Bearing(track)}{Motion(track)}"));
         }
 
         foreach (TargetTrack track in score.FalseTracks)
@@ -152,7 +152,10 @@ internal sealed class MissionSummaryText(TextWriter output, FlightSummary summar
         => $"{TargetClassNames.Name(track.Class),-8} track {FlightText.Number(track.Id)} at "
             + $"{FlightText.Degrees(track.Position.Latitude.Radians)} "
             + $"{FlightText.Degrees(track.Position.Longitude.Radians)}, "
-            + $"95 % ellipse {Ellipse(track)}, {FlightText.Number(track.Reports)} reports{Motion(track)}";
+            + $"95 % ellipse {Ellipse(track)}, {FlightText.Number(track.Reports)} reports{Bearing(track)}{Motion(track)}";
+
+    private static string Bearing(TargetTrack track)
+        => track.Bearing is { } bearing ? $", bearing {FlightText.Bearing(bearing)}" : string.Empty;
 
     private static string Motion(TargetTrack track) => track.Motion == TargetMotion.Standing
         ? string.Empty

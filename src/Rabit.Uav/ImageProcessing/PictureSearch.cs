@@ -28,6 +28,7 @@ internal sealed class PictureSearch : IGroundScaleSource
     private readonly double _minTargetPixels;
     private readonly PoseHistory _poses;
     private readonly TimeSpan _maxExtrapolation;
+    private readonly RowPoses _rows;
     private readonly TargetReport[] _reports;
     private readonly NedVector[] _byOffset = new NedVector[TargetSensitivity.Offsets];
     private GroundProjection _projection;   // of the middle row, while the detector runs
@@ -43,6 +44,7 @@ internal sealed class PictureSearch : IGroundScaleSource
         _camera = camera;
         _poses = poses;
         _maxExtrapolation = options.MaxExtrapolation;
+        _rows = new RowPoses(camera, poses, _maxExtrapolation);
         _detector = new DetectorRunner(
             options.Detector ?? options.CreateDetector(), options.DetectorTimeBudget,
             options.MaxReportsPerPicture, clock);
@@ -198,11 +200,11 @@ internal sealed class PictureSearch : IGroundScaleSource
     {
         double right = _camera.Width - 1;
         double bottom = _camera.Height - 1;
-        GroundProjection top = _projector.At(PoseOfRow(frame, 0, pose), command);
+        GroundProjection top = _projector.At(_rows.PoseOf(frame, 0, pose), command);
         if (!top.TryProjectToGround(0, 0, out GeodeticPosition topLeft)
             || !top.TryProjectToGround(right, 0, out GeodeticPosition topRight))
             return false;
-        GroundProjection last = _projector.At(PoseOfRow(frame, bottom, pose), command);
+        GroundProjection last = _projector.At(_rows.PoseOf(frame, bottom, pose), command);
         if (!last.TryProjectToGround(right, bottom, out GeodeticPosition bottomRight)
             || !last.TryProjectToGround(0, bottom, out GeodeticPosition bottomLeft))
             return false;
@@ -211,36 +213,17 @@ internal sealed class PictureSearch : IGroundScaleSource
         return true;
     }
 
-    private TimeSpan TimeOfRow(in CameraFrame frame, double row) => frame.MidExposure + _camera.ReadoutOf(row);
-
-    // The caller made sure that there are poses around all rows; where they are extrapolated, the last rows may lie a
-    // little beyond, and go on from the middle one.
-    private Pose PoseOfRow(in CameraFrame frame, double row, in Pose middle)
-    {
-        Pose pose = middle;
-        TimeSpan time = TimeOfRow(frame, row);
-        if (_camera.Readout > TimeSpan.Zero
-            && _poses.Extrapolate(time, _maxExtrapolation, out pose) is not (PoseLookup.Known
-                or PoseLookup.Extrapolated))
-        {
-            pose = middle.After((time - middle.Time).TotalSeconds);
-            pose.ExtrapolatedSeconds = Math.Max(0, middle.ExtrapolatedSeconds + (time - middle.Time).TotalSeconds);
-        }
-
-        return pose;
-    }
-
     private void Report(
         in TargetDetection detection, in CameraFrame frame, in Pose middle, in ImagingCommand command, byte systemId)
     {
         (double column, double row) = (detection.CentreX, detection.CentreY);
-        GroundProjection projection = _projector.At(PoseOfRow(frame, row, middle), command);
+        GroundProjection projection = _projector.At(_rows.PoseOf(frame, row, middle), command);
         if (!projection.TryProjectToGround(column, row, out GeodeticPosition place)
             || !projection.TryCovariances(
                 column, row, detection.Covariance,
                 out HorizontalCovariance random, out HorizontalCovariance systematic))
             return;
-        FindPlacesByOffset(detection, TimeOfRow(frame, row), place, command);
+        FindPlacesByOffset(detection, _rows.TimeOf(frame, row), place, command);
         if (!TrySide(detection, projection, out double side))
             return;
         _reports[_reportCount] = new TargetReport
@@ -248,7 +231,7 @@ internal sealed class PictureSearch : IGroundScaleSource
             SourceSystemId = systemId,
             PictureNumber = frame.Number,
             Index = _reportCount,
-            Time = TimeOfRow(frame, row),
+            Time = _rows.TimeOf(frame, row),
             Position = place,
             Covariance = random,
             SystematicCovariance = systematic,
@@ -262,6 +245,8 @@ internal sealed class PictureSearch : IGroundScaleSource
             WidthPixels = detection.WidthPixels,
             HeightPixels = detection.HeightPixels,
         };
+        if (detection.Bearing is { } bearing && _projection.TryScale(column, row, out GroundScale scale))
+            _reports[_reportCount].Bearing = projection.BearingOf(column, row, bearing, scale);
         _reportCount++;
     }
 

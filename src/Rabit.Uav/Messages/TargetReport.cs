@@ -56,6 +56,12 @@ public struct TargetReport
     /// <summary>Side of a square of its area, metres.</summary>
     public double SizeMetres { get; set; }
 
+    /// <summary>
+    /// Where it pointed on the ground, clockwise from true north, by the pose at the time of its row; null where that
+    /// was not measured, as of a square that is too small or of what is round, and where another vehicle saw it.
+    /// </summary>
+    public TargetBearing? Bearing { get; set; }
+
     /// <summary>Centre in the picture, column, pixels; the centre of the top left pixel is 0.</summary>
     public double CentreX { get; set; }
 

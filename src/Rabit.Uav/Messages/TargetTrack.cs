@@ -56,6 +56,12 @@ public sealed class TargetTrack
     public double SizeMetres { get; init; }
 
     /// <summary>
+    /// Where it points on the ground, clockwise from true north: the mean of the reports, of a target that moves that
+    /// of the last one. Null where no report says, or they differ too much to say anything.
+    /// </summary>
+    public TargetBearing? Bearing { get; init; }
+
+    /// <summary>
     /// The picture of the report with the best score, of our own camera; -1 when another vehicle saw it.
     /// </summary>
     public long BestPictureNumber { get; init; } = -1;

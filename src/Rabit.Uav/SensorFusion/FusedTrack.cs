@@ -10,6 +10,7 @@ internal sealed class FusedTrack
     private double _sizeSum;
     private int _sizes;
     private BestReports _best;
+    private BearingMean _bearing;
 
     public FusedTrack(int id, in LocatedReport report, SensorFusionOptions options)
     {
@@ -121,6 +122,7 @@ internal sealed class FusedTrack
         _sizeSum += other._sizeSum;
         _sizes += other._sizes;
         _best.Add(other._best);
+        _bearing.Add(other._bearing);
         if (Decision == TargetDecision.None && other.Decision != TargetDecision.None)
             Decide(other.Decision);
         else if (other.State == TrackState.Confirmed && Decision == TargetDecision.None)
@@ -150,6 +152,7 @@ internal sealed class FusedTrack
         Reports = Reports,
         Misses = Misses,
         SizeMetres = _sizeSum / _sizes,
+        Bearing = _bearing.Value,
         BestPictureNumber = BestPictureNumber,
         BestReportIndex = BestReportIndex,
         OtherPictures = _best.Others,
@@ -170,6 +173,7 @@ internal sealed class FusedTrack
         LastSource = report.Report.SourceSystemId;
         _sizeSum += report.Report.SizeMetres;
         _sizes++;
+        _bearing.Add(report.Report.Bearing);
 
         // Only pictures of our own can be shown.
         if (report.IsOwn)

@@ -15,6 +15,9 @@ public struct TemplateMatch
     /// </summary>
     public double HeadingRadians { get; set; }
 
+    /// <summary>Between one heading that was compared and the next, radians: it may be half of that off.</summary>
+    public double HeadingStepRadians { get; set; }
+
     /// <summary>Distance from the border between the object and other things, in the template's own measure.</summary>
     public double Score { get; set; }
 

@@ -144,6 +144,7 @@ public sealed class TemplateScanner
         var candidate = default(TemplateCandidate);
         (candidate.Heading, candidate.Match.Scale) = (heading, scale);
         candidate.Match.HeadingRadians = HeadingOf(heading, template);
+        candidate.Match.HeadingStepRadians = HeadingOf(1, template);
         for (int row = 0; row < search.Rows; row++)
         {
             for (int column = 0; column < search.Columns; column++)

@@ -122,19 +122,60 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
         Assert.True(count.Wrong <= MaxWrongWithEffects, $"seed {seed}: {count}");
     }
 
+    // Of a car the long axis, of a panel any side, of a marker its upper edge.
+    [Theory]
+    [InlineData(1, -90)]
+    [InlineData(2, -90)]
+    [InlineData(3, -50)]
+    public void Survey_TargetsWithADirection_TheirBearingsAreTrueWithinTheirErrors(int seed, double pitchDegrees)
+    {
+        Survey survey = Fly(
+            (ulong)seed, 20, pitchDegrees: pitchDegrees, kinds:
+            [
+                SimulatedTargetKind.Car, SimulatedTargetKind.TwoColouredPanel, SimulatedTargetKind.ArUcoMarker,
+                SimulatedTargetKind.WhitePanel, SimulatedTargetKind.AprilTagMarker,
+            ]);
+        foreach (IGrouping<string, SimulatedTarget> kind in survey.Things.Where(t => t.Declared is not null)
+            .GroupBy(t => t.Name.Substring(0, t.Name.IndexOf(' '))))
+        {
+            TargetReport[] reports = [.. survey.Sink.Reports.Where(r => kind.Any(t => t.Class == r.Class))];
+            TargetBearing[] bearings = [.. reports.Where(r => r.Bearing is not null).Select(r => r.Bearing!.Value)];
+            double[] sigmas = [.. reports.Where(r => r.Bearing is not null).Select(r => Sigmas(survey, r))];
+            string text = $"seed {seed}, {pitchDegrees}°, {kind.Key}: {sigmas.Length} of {reports.Length} reports, NEES "
+                + $"{sigmas.Average(s => s * s):F2}, {sigmas.Max():F1} sigma of {bearings.Average(b => b.Sigma.Degrees):F1}°";
+            output.WriteLine(text);
+            Assert.True(2 * sigmas.Length >= reports.Length && sigmas.Max() < 3, text);
+        }
+    }
+
+    // Of the bearing in a report, by that of the nearest target of its class.
+    private static double Sigmas(Survey survey, TargetReport report)
+    {
+        SimulatedTarget nearest = survey.Things.Where(t => t.Class == report.Class)
+            .OrderBy(t => survey.ErrorOf(report, t)).First();
+        TargetBearing bearing = report.Bearing!.Value;
+        return bearing.DistanceTo(nearest.Heading) / bearing.Sigma;
+    }
+
     private static Survey Fly(
-        ulong seed, double height, Action<SimulatedCameraOptions>? change = null, double pitchDegrees = -90)
+        ulong seed, double height, Action<SimulatedCameraOptions>? change = null, double pitchDegrees = -90,
+        params SimulatedTargetKind[] kinds)
     {
         var camera = new SimulatedCameraOptions();
         change?.Invoke(camera);
         var truth = new TruthHistory(400);
         var frame = new WorldFrame(GeodeticPosition.FromRadians(0.8395, 0.1486, 445));
         IReadOnlyList<SimulatedTarget> things = TargetField.Place(
-            seed, Scene.Corners((-5, -10), (-5, 65), (75, 65), (75, -10)), 10, 10);
+            seed, Scene.Corners((-5, -10), (-5, 65), (75, 65), (75, -10)), 10, 10, kinds, 0);
         var source = new SimulatedCamera(camera, truth, things, seed);
         var manager = new ImageProcessingManager(
             new ImageProcessingOptions
             {
+                TargetClasses =
+                [
+                    .. TargetClass.Defaults,
+                    .. things.Select(t => t.Declared).OfType<TargetClass>().GroupBy(c => c.Name).Select(c => c.First()),
+                ],
                 Camera = camera.Camera,
                 Mount = new CameraMount
                 {

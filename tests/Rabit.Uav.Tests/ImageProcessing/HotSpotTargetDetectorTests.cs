@@ -1,6 +1,8 @@
 using System;
+using System.Collections.Generic;
 using System.Collections.Immutable;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
@@ -35,17 +37,19 @@ public sealed class HotSpotTargetDetectorTests(ITestOutputHelper output)
         const int seed = 300;
         var random = new Random(seed);
         (int found, int of, int wrong, double squares, int inside) = (0, 0, 0, 0, 0);
+        var turns = new List<double>();
         for (int picture = 0; picture < 25; picture++)
         {
             var scene = new ThermalScene(seed + picture);
-            (double X, double Y)[] places = [.. Enumerable.Range(0, 4).Select(i =>
-                (40 + (70 * i) + (20 * random.NextDouble()), 40 + (170 * random.NextDouble())))];
-            foreach ((double x, double y) in places)
-                scene.Add(x, y, 1.7, 0.5, Math.PI * random.NextDouble(), 100 + (300 * random.NextDouble()));
+            (double X, double Y, double Angle)[] places = [.. Enumerable.Range(0, 4).Select(i =>
+                (40 + (70 * i) + (20 * random.NextDouble()), 40 + (170 * random.NextDouble()),
+                    Math.PI * random.NextDouble()))];
+            foreach ((double x, double y, double angle) in places)
+                scene.Add(x, y, 1.7, 0.5, angle, 100 + (300 * random.NextDouble()));
             DetectorInput input = Input(scene.Finish());
             int count = _detector.Detect(input, _found).Count;
             Assert.All(_found.Take(count), f => Assert.Null(DetectionCheck.FindFault(f, input)));
-            foreach ((double x, double y) in places)
+            foreach ((double x, double y, double angle) in places)
             {
                 of++;
                 TargetDetection[] near = [.. _found.Take(count)
@@ -58,6 +62,8 @@ public sealed class HotSpotTargetDetectorTests(ITestOutputHelper output)
                 squares += square;
                 inside += square <= 5.991 ? 1 : 0;
                 Assert.InRange(near[0].SideMetres, 0.6, 1.25);
+                TargetBearing bearing = near[0].Bearing!.Value;
+                turns.Add(bearing.DistanceTo(AxisOf(angle)) / bearing.Sigma);
             }
 
             wrong += count;
@@ -68,7 +74,13 @@ public sealed class HotSpotTargetDetectorTests(ITestOutputHelper output)
         Assert.True(found >= 0.98 * of && wrong == 0, $"seed {seed}: {found} of {of}, {wrong} false");
         Assert.InRange(squares / found, 0.8, 2.8);
         Assert.InRange((double)inside / found, 0.92, 1);
+        double turnSquares = turns.Average(t => t * t);
+        output.WriteLine(FormattableString.Invariant($"NEES of the bearing {turnSquares:0.00}, at most {turns.Max():0.0} sigma"));
+        Assert.InRange(turnSquares, 0.2, 1.5);
     }
+
+    // Columns go east and rows south: the first axis of the picture points to 90 degrees.
+    private static Angle AxisOf(double angle) => Angle.FromRadians((Math.PI / 2) + angle);
 
     [Fact]
     public void Detect_WarmGroundThingsAndDefects_FindsNone()

@@ -81,6 +81,8 @@ public sealed class OwnDetectorTests
     [InlineData("score NaN", DetectionCheck.WrongScore)]
     [InlineData("extent", DetectionCheck.WrongExtent)]
     [InlineData("side", DetectionCheck.WrongSide)]
+    [InlineData("bearing", DetectionCheck.WrongBearing)]
+    [InlineData("bearing without error", DetectionCheck.WrongBearing)]
     [InlineData("no covariance", DetectionCheck.WrongCovariance)]
     [InlineData("covariance", DetectionCheck.WrongCovariance)]
     public void Detection_NotValid_IsLeftOutAndCounted(string what, string fault)
@@ -95,6 +97,8 @@ public sealed class OwnDetectorTests
             "score NaN" => Detection() with { Score = double.NaN },
             "extent" => Detection() with { WidthPixels = -1 },
             "side" => Detection() with { SideMetres = double.PositiveInfinity },
+            "bearing" => Detection() with { Bearing = Bearing(Angle.NaN, Angle.FromDegrees(1)) },
+            "bearing without error" => Detection() with { Bearing = Bearing(Angle.FromDegrees(1), Angle.Zero) },
             "no covariance" => Detection() with { Covariance = default },
             _ => Detection() with { Covariance = new PixelCovariance(1, 1.1, 1) },
         };
@@ -166,6 +170,8 @@ public sealed class OwnDetectorTests
         Assert.Null(runner.Run(input));
         Assert.Equal(0, runner.Overruns);
     }
+
+    private static TargetBearing Bearing(Angle angle, Angle sigma) => new(angle, sigma, BearingSymmetry.HalfTurn);
 
     private static int Good(DetectorInput input)
     {

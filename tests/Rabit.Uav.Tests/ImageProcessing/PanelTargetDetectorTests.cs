@@ -212,6 +212,7 @@ public sealed class PanelTargetDetectorTests(ITestOutputHelper output)
     private sealed class Score
     {
         private double _squares;
+        private double _turnSquares;
         private int _inside;
 
         public int Found { get; private set; }
@@ -221,6 +222,8 @@ public sealed class PanelTargetDetectorTests(ITestOutputHelper output)
         public int False { get; private set; }
 
         public double MaxTurnDegrees { get; private set; }
+
+        public double MeanTurnSquare => _turnSquares / Found;
 
         public double MeanSquare => _squares / Found;
 
@@ -241,9 +244,11 @@ public sealed class PanelTargetDetectorTests(ITestOutputHelper output)
                 _inside += square <= 5.991 ? 1 : 0;
 
                 // Rows go south, so that turning clockwise in the picture is turning clockwise on the ground.
-                double turn = Math.Abs(f.Bearing!.Value.Degrees - (angle * 180 / Math.PI));
-                turn = Math.Min(turn % 90, 90 - (turn % 90));
-                MaxTurnDegrees = Math.Max(MaxTurnDegrees, turn);
+                TargetBearing bearing = f.Bearing!.Value;
+                Assert.Equal(BearingSymmetry.QuarterTurn, bearing.Symmetry);
+                Angle turn = bearing.DistanceTo(Angle.FromRadians(angle));
+                MaxTurnDegrees = Math.Max(MaxTurnDegrees, turn.Degrees);
+                _turnSquares += turn / bearing.Sigma * (turn / bearing.Sigma);
                 return;
             }
         }
@@ -252,6 +257,7 @@ public sealed class PanelTargetDetectorTests(ITestOutputHelper output)
 
         public override string ToString()
             => FormattableString.Invariant($"{Found} of {Of}, {False} false, NEES {MeanSquare:0.00}, ")
-                + FormattableString.Invariant($"{100 * Inside:0} % inside, turned by {MaxTurnDegrees:0.0} at most");
+                + FormattableString.Invariant($"{100 * Inside:0} % inside, turned by {MaxTurnDegrees:0.0} at most")
+                + FormattableString.Invariant($", NEES of that {MeanTurnSquare:0.00}");
     }
 }

@@ -13,6 +13,7 @@ internal static class DetectionCheck
     public const string WrongScore = "the score of a detection is not 0 to 1";
     public const string WrongExtent = "the extent of a detection is not above 0, larger than the picture or not a number";
     public const string WrongSide = "the side of a detection on the ground is negative or not a number";
+    public const string WrongBearing = "the bearing of a detection is not a number, or has no standard deviation above 0";
     public const string WrongCovariance = "the covariance of a detection is not positive definite, or not finite";
 
     // Larger than anything that is searched for from the air; Sensor Fusion refuses more.
@@ -36,8 +37,14 @@ internal static class DetectionCheck
             return WrongExtent;
         if (detection.SideMetres is not (>= 0 and <= MaxSideMetres))
             return WrongSide;
+        if (detection.Bearing is { } bearing && !IsBearing(bearing))
+            return WrongBearing;
         return detection.Covariance.IsPositiveDefinite ? null : WrongCovariance;
     }
+
+    private static bool IsBearing(in TargetBearing bearing)
+        => bearing.Angle.IsFinite && bearing.Sigma.IsFinite && bearing.Sigma.Radians > 0
+            && bearing.Symmetry is >= BearingSymmetry.None and <= BearingSymmetry.QuarterTurn;
 
     private static bool IsWanted(in TargetDetection detection, ImmutableArray<TargetClass> classes)
     {

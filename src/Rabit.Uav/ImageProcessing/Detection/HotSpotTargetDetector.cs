@@ -43,6 +43,9 @@ public sealed class HotSpotTargetDetector : ITargetDetector
     // Where the end of the range hides which part is the warmest, by the side of the spot.
     private const double SaturatedSigma = 0.08;
 
+    // Of its outline, which the lens blurs, for its direction, pixels.
+    private const double EdgeSigma = 0.2;
+
     // Of a filled rectangle area = 12 times both spreads; of a ring or an angle much less.
     private const double RectangleFactor = 12;
     private const double MinFill = 0.4;
@@ -154,6 +157,8 @@ public sealed class HotSpotTargetDetector : ITargetDetector
         (detection.WidthPixels, detection.HeightPixels) = (spot.Right - spot.Left + 1, spot.Bottom - spot.Top + 1);
         detection.SideMetres = side;
         detection.Score = bestScore;
+        if (spot.Area >= MinMeasuredPixels && spot.SaturatedPixels == 0)
+            detection.Bearing = BlobOnGround.BearingOf(ShapeOf(spot), scale, EdgeSigma);
         double residual = ResidualSigma * ResidualSigma;
         if (spot.SaturatedPixels > 0)
             residual += SaturatedSigma * SaturatedSigma * spot.Area;
@@ -185,16 +190,17 @@ public sealed class HotSpotTargetDetector : ITargetDetector
         return clear * Math.Exp(-0.5 * size * size);
     }
 
+    private static BlobShape ShapeOf(in HotSpot spot) => new()
+    {
+        MomentXX = spot.MomentXX,
+        MomentXY = spot.MomentXY,
+        MomentYY = spot.MomentYY,
+    };
+
     private static bool HasForm(in HotSpot spot, double side, in GroundScale scale, TargetClass target)
     {
         // The blur of the lens makes what is small rounder than it is: only large ones have a smallest aspect.
-        var shape = new BlobShape
-        {
-            MomentXX = spot.MomentXX,
-            MomentXY = spot.MomentXY,
-            MomentYY = spot.MomentYY,
-        };
-        (double longSpread, double shortSpread) = BlobOnGround.SpreadMetres(shape, scale);
+        (double longSpread, double shortSpread) = BlobOnGround.SpreadMetres(ShapeOf(spot), scale);
         double pixel = Math.Sqrt(scale.PixelArea);
         double aspect = longSpread / Math.Max(shortSpread, 0.2 * pixel);
         if (aspect > target.MaxAspect * MaxAspectSlack)

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Immutable;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Messages;
 using Rabit.Vision;
@@ -29,6 +30,9 @@ namespace Rabit.Uav.ImageProcessing;
 /// </example>
 public sealed class MarkerTargetDetector : ITargetDetector
 {
+    // Pixels: the direction of none is known without error.
+    private const double MinCornerSigma = 0.02;
+
     private readonly MarkerDetector _detector;
     private byte[] _grey = [];
 
@@ -91,6 +95,7 @@ public sealed class MarkerTargetDetector : ITargetDetector
 
         // The centre is where the diagonals meet: of four corners in the mean, half of what is uncertain of each.
         detection.Covariance = PixelCovariance.FromSigma(marker.CornerSigmaPixels / 2);
+        detection.Bearing = BearingOf(marker, scale, side);
         return true;
     }
 
@@ -106,6 +111,19 @@ public sealed class MarkerTargetDetector : ITargetDetector
 
         detection.WidthPixels = Math.Min(right - left, input.Width);
         detection.HeightPixels = Math.Min(bottom - top, input.Height);
+    }
+
+    // From the lower edge to the upper one. The middle of an edge is more certain than a corner, by the root of two.
+    private static TargetBearing BearingOf(in DetectedMarker marker, in GroundScale scale, double side)
+    {
+        MarkerCorners q = marker.Corners;
+        double column = q.TopLeft.X + q.TopRight.X - q.BottomLeft.X - q.BottomRight.X;
+        double row = q.TopLeft.Y + q.TopRight.Y - q.BottomLeft.Y - q.BottomRight.Y;
+        double north = (scale.NorthByColumn * column) + (scale.NorthByRow * row);
+        double east = (scale.EastByColumn * column) + (scale.EastByRow * row);
+        double sigma = Math.Max(MinCornerSigma, marker.CornerSigmaPixels) * Math.Sqrt(scale.PixelArea) / side;
+        return new TargetBearing(
+            Angle.FromRadians(Math.Atan2(east, north)), Angle.FromRadians(sigma), BearingSymmetry.None);
     }
 
     private static double AreaOf(in MarkerCorners q)

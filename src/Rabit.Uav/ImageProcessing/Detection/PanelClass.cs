@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Immutable;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 using Rabit.Vision;
 
@@ -44,6 +45,10 @@ internal sealed class PanelClass
 
     // So much longer than wide, a panel has a direction of its own, and not that of any of its sides.
     private const double MinLongAspect = 1.25;
+
+    // Of its direction: by whole pixels of its outline, pixels, and by the steps of the fit.
+    private const double OutlineSigma = 0.5;
+    private const double FitSigmaRadians = 0.25 * Angle.RadiansPerDegree;
 
     private readonly TargetClass _target;
 
@@ -100,12 +105,17 @@ internal sealed class PanelClass
         return Math.Exp(-0.25 * ((size * size) + (form * form) + (ring * ring)));
     }
 
-    /// <summary>Of its longer side from north, clockwise, 0 to pi; of a square 0 to pi / 2.</summary>
-    public static double BearingRadians(in FittedRectangle rectangle)
+    /// <summary>Where it points.</summary>
+    /// <param name="rectangle">Around it on the ground, metres.</param>
+    /// <param name="pixel">Side of a pixel there, metres.</param>
+    public static TargetBearing BearingOf(in FittedRectangle rectangle, double pixel)
     {
         bool hasLongSide = rectangle.Length > MinLongAspect * rectangle.Width;
-        double turn = hasLongSide ? Math.PI : Math.PI / 2;
-        return rectangle.AngleRadians - (turn * Math.Floor(rectangle.AngleRadians / turn));
+        double byOutline = OutlineSigma * pixel / Math.Sqrt(rectangle.Length * rectangle.Width);
+        return new TargetBearing(
+            Angle.FromRadians(rectangle.AngleRadians),
+            Angle.FromRadians(Math.Sqrt((byOutline * byOutline) + (FitSigmaRadians * FitSigmaRadians))),
+            hasLongSide ? BearingSymmetry.HalfTurn : BearingSymmetry.QuarterTurn);
     }
 
     /// <summary>How uncertain the centre is.</summary>

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Immutable;
 using System.Linq;
 using System.Runtime.InteropServices;
-using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Messages;
 using Rabit.Vision;
@@ -96,7 +95,7 @@ public sealed class PanelTargetDetector : ITargetDetector
         (detection.WidthPixels, detection.HeightPixels) = (shape.Width, shape.Height);
         detection.SideMetres = pixel * Math.Sqrt(shape.Area);
         detection.Score = score;
-        detection.Bearing = Angle.FromRadians(PanelClass.BearingRadians(rectangle));
+        detection.Bearing = PanelClass.BearingOf(rectangle, pixel);
         detection.Covariance = PanelClass.CovarianceOf(shape);
         return true;
     }

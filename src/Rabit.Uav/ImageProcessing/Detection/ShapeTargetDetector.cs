@@ -132,7 +132,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
         return Choose(input, detections);
     }
 
-    private static IEnumerable<string> FindColourFaults(ImmutableArray<TargetClass> classes)
+    internal static IEnumerable<string> FindColourFaults(ImmutableArray<TargetClass> classes)
     {
         if (classes.IsDefault)
             yield break;
@@ -238,13 +238,13 @@ public sealed class ShapeTargetDetector : ITargetDetector
             if (count == detections.Length)
                 dropped++;
             else
-                detections[count++] = Describe(candidate);
+                detections[count++] = Describe(candidate, input.GroundScale);
         }
 
         return DetectorResult.Found(count, dropped);
     }
 
-    private TargetDetection Describe(in PatchCandidate candidate) => new()
+    private TargetDetection Describe(in PatchCandidate candidate, in PictureGroundScale ground) => new()
     {
         Class = _classes[candidate.Class].Name,
         CentreX = candidate.Shape.CentreX,
@@ -252,6 +252,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
         WidthPixels = candidate.Shape.Width,
         HeightPixels = candidate.Shape.Height,
         SideMetres = candidate.SideMetres,
+        Bearing = PatchBearing.Of(candidate.Shape, _classes[candidate.Class], ground),
         Score = 1 / (1 + Math.Exp((candidate.Cost - PatchCandidates.MaxCost) / CostScale)),
         Covariance = PatchCovariance.Of(candidate, _classes[candidate.Class].MinColourShare < 1),
     };

@@ -1,4 +1,3 @@
-using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing;
@@ -31,10 +30,10 @@ public struct TargetDetection
     public int? MarkerId { get; set; }
 
     /// <summary>
-    /// Direction of its longer side on the ground, clockwise from north, 0 to 180 degrees; of a square that of any
-    /// side, 0 to 90. Null, the default, where it was not measured.
+    /// Where it points on the ground, by <see cref="DetectorInput.GroundScale"/>, with what the picture makes uncertain
+    /// of it. Null, the default, where it was not measured.
     /// </summary>
-    public Angle? Bearing { get; set; }
+    public TargetBearing? Bearing { get; set; }
 
     /// <summary>How confident the detector is, 0 to 1.</summary>
     public double Score { get; set; }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Immutable;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Messages;
 using Rabit.Vision;
@@ -28,6 +29,9 @@ namespace Rabit.Uav.ImageProcessing;
 public sealed class TemplateTargetDetector : ITargetDetector
 {
     internal const string TooCoarse = "the pixels are too coarse on the ground for the templates";
+
+    // How far off the best of the headings that a template is compared at may be, one standard deviation, steps.
+    private const double HeadingSteps = 0.5;
 
     private readonly ImmutableArray<TargetClass> _classes;
     private readonly TemplateScanner[] _scanners;
@@ -118,6 +122,9 @@ public sealed class TemplateTargetDetector : ITargetDetector
             input.Height, (Math.Abs(alongY) * length) + (Math.Abs(acrossY) * width));
         detection.SideMetres = Math.Sqrt(length * width);
         detection.Score = match.Probability;
+        detection.Bearing = new TargetBearing(
+            Angle.FromRadians(match.HeadingRadians),
+            Angle.FromRadians(HeadingSteps * match.HeadingStepRadians), BearingSymmetry.HalfTurn);
         double variance = template.SigmaMetres * template.SigmaMetres;
         detection.Covariance = new PixelCovariance(
             variance * ((alongX * alongX) + (acrossX * acrossX)),

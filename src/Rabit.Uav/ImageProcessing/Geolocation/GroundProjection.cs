@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Immutable;
 using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
@@ -11,6 +12,9 @@ namespace Rabit.Uav.ImageProcessing.Geolocation;
 /// </summary>
 internal readonly struct GroundProjection
 {
+    // Far enough that the direction is not that of rounding errors, near enough that the ground is even.
+    private const double HalfAxisPixels = 5;
+
     private readonly GroundProjector _projector;
     private readonly ViewingGeometry _geometry;
     private readonly LocalNedFrame _frame;
@@ -152,7 +156,44 @@ internal readonly struct GroundProjection
         ByGroundHeight = _projector.Jacobian.By(ViewingParameter.GroundHeight),
     };
 
+    /// <summary>
+    /// The bearing on the ground of what a detector saw with the ground scale of another pose, that of the middle row;
+    /// null where the picture does not show it. The Jacobian is another one afterwards.
+    /// </summary>
+    /// <param name="column">Of its centre.</param>
+    /// <param name="row">Of its centre.</param>
+    /// <param name="seen">As the detector says.</param>
+    /// <param name="seenBy">The ground scale that the detector had there.</param>
+    public TargetBearing? BearingOf(double column, double row, in TargetBearing seen, in GroundScale seenBy)
+    {
+        double determinant = (seenBy.NorthByColumn * seenBy.EastByRow) - (seenBy.NorthByRow * seenBy.EastByColumn);
+        (double north, double east) = (Math.Cos(seen.Angle.Radians), Math.Sin(seen.Angle.Radians));
+        double dx = ((seenBy.EastByRow * north) - (seenBy.NorthByRow * east)) / determinant;
+        double dy = ((seenBy.NorthByColumn * east) - (seenBy.EastByColumn * north)) / determinant;
+        double length = Math.Sqrt((dx * dx) + (dy * dy)) / HalfAxisPixels;
+        (double Column, double Row) from = (column - (dx / length), row - (dy / length));
+        (double Column, double Row) to = (column + (dx / length), row + (dy / length));
+        if (!TryProjectToGround(column, row, out NedPosition centre)
+            || !TryProjectToGround(from.Column, from.Row, out NedPosition start)
+            || !TryProjectToGround(to.Column, to.Row, out NedPosition end)
+            || !_projector.BearingJacobian.TryCompute(GeometryAt(centre), from, to, end - start))
+            return null;
+        double random = _projector.BearingJacobian.Variance(
+            _projector.RandomErrors(_geometry.Pose.ExtrapolatedSeconds));
+        double systematic = _projector.BearingJacobian.Variance(
+            _projector.SystematicErrors(_geometry.Pose.TimeErrorSeconds));
+        return new TargetBearing(
+            Angle.FromRadians(Math.Atan2(end.East - start.East, end.North - start.North)),
+            Angle.FromRadians(Math.Sqrt((seen.Sigma.Radians * seen.Sigma.Radians) + random)), seen.Symmetry)
+        {
+            SystematicSigma = Angle.FromRadians(Math.Sqrt(systematic)),
+        };
+    }
+
     private bool TryComputeJacobian(double column, double row, NedPosition ground)
+        => _projector.Jacobian.TryCompute(GeometryAt(ground), column, row);
+
+    private ViewingGeometry GeometryAt(NedPosition ground)
     {
         ViewingGeometry geometry = _geometry;
         if (_projector.Terrain is { } terrain)
@@ -163,6 +204,6 @@ internal readonly struct GroundProjection
             (geometry.GroundDownByNorth, geometry.GroundDownByEast) = (downByNorth, downByEast);
         }
 
-        return _projector.Jacobian.TryCompute(geometry, column, row);
+        return geometry;
     }
 }

@@ -26,6 +26,7 @@ internal sealed class GroundProjector
         MinDepression = minDepression;
         Terrain = terrain;
         Jacobian = new GroundJacobian(camera, mount);
+        BearingJacobian = new BearingJacobian(Jacobian);
         _budget = budget;
         _random = Random(budget);
         _systematic = Systematic(budget, camera);
@@ -43,6 +44,9 @@ internal sealed class GroundProjector
 
     /// <summary>Scratch memory of the covariances of a <see cref="GroundProjection"/>.</summary>
     public GroundJacobian Jacobian { get; }
+
+    /// <summary>The same for the bearing of what a picture shows; it uses the other.</summary>
+    public BearingJacobian BearingJacobian { get; }
 
     /// <summary>Sets how wrong the time of the pictures from here on is, beside the budget.</summary>
     public void SetTimeNoise(TimeSpan ofPicture)

@@ -141,6 +141,7 @@ internal sealed class MovingTargets
             Reports = track.Points,
             Misses = track.Misses,
             SizeMetres = description.SizeMetres,
+            Bearing = description.Bearing,
             BestPictureNumber = description.BestPictureNumber,
             BestReportIndex = description.BestReportIndex,
             OtherPictures = description.OtherPictures,

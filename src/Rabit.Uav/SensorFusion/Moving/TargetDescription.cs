@@ -14,6 +14,9 @@ internal sealed class TargetDescription
     /// <summary>Mean of the reports, metres.</summary>
     public double SizeMetres => _sizes == 0 ? 0 : _sizeSum / _sizes;
 
+    /// <summary>As the newest report says: it turns.</summary>
+    public TargetBearing? Bearing { get; private set; }
+
     /// <summary>Of the ground that it stands on, metres below the origin, as the newest report says.</summary>
     public double Down { get; private set; }
 
@@ -32,13 +35,14 @@ internal sealed class TargetDescription
     public void Clear()
     {
         (_sizeSum, _sizes, _best) = (0, 0, default);
-        Down = 0;
+        (Down, Bearing) = (0, null);
         (SharedTime, Decision) = (null, TargetDecision.None);
     }
 
     public void Add(in LocatedReport report)
     {
         Down = report.Down;
+        Bearing = report.Report.Bearing;
         _sizeSum += report.Report.SizeMetres;
         _sizes++;
 
