@@ -254,7 +254,8 @@ internal static class ManagerOptions
         made.GimbalFrame = options.Imaging.Mount.GimbalFrame;
         made.Terrain ??= options.Terrain;
         made.ReturnClearanceMetres = options.Preflight.MinObstacleClearanceMetres;
-        made.FindsFaultOfChange = changed => UavOptionsCheck.FindGapBetweenLanes(changed, options);
+        made.FindsFaultOfChange = changed => UavOptionsCheck.FindGapBetweenLanes(changed, options)
+            ?? UavOptionsCheck.FindTooCoarse(changed, options);
         return made;
     }
 
@@ -279,6 +280,8 @@ internal static class ManagerOptions
         made.Preflight.MinBatteryFraction = mission.MinBatteryFractionAtStart;
         made.Preflight.AllowsUnknownBattery = mission.AllowUnknownBattery;
         made.Preflight.RequiresCamera = options.MissionControl.RequiresCamera;
+        made.Preflight.IsInGroup = options.MissionControl.Group is not null;
+        made.Preflight.Resolution = UavOptionsCheck.ResolutionOf(mission, options);
         return made;
     }
 

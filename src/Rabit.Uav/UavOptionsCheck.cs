@@ -6,6 +6,7 @@ using Rabit.Uav.Communications;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
+using Rabit.Uav.Preflight;
 
 namespace Rabit.Uav;
 
@@ -127,10 +128,7 @@ internal static class UavOptionsCheck
     public static string? FindGapBetweenLanes(MissionPlan mission, UavOptions options)
     {
         ImageProcessingOptions imaging = ManagerOptions.ForImageProcessing(options);
-        bool isKnown = options.Camera is not null && options.Has(UavManagers.ImageProcessing)
-            && imaging.Camera?.FindFaults().Any() == false && imaging.Mount?.FindFaults().Any() == false
-            && !MissionPlanRules.FindFaults(mission).Any();
-        if (!isKnown)
+        if (!IsViewKnown(mission, options, imaging))
             return null;
         double width = PictureSwath.WidthMetres(
             imaging.Camera!, imaging.Mount!, mission.CameraPitch, mission.CameraYaw, mission.HeightMetres);
@@ -140,6 +138,32 @@ internal static class UavOptionsCheck
                 + $"picture: from heightMetres {MissionNumbers.Of(mission.HeightMetres)} the camera sees "
                 + $"{MissionNumbers.Of(width)} m across the lanes, and the ground between them would not be seen";
     }
+
+    /// <summary>
+    /// How large the smallest target of a mission is in its pictures; null where none is searched for, or a camera or
+    /// mission with faults says nothing of it.
+    /// </summary>
+    public static SearchResolution? ResolutionOf(MissionPlan mission, UavOptions options)
+    {
+        ImageProcessingOptions imaging = ManagerOptions.ForImageProcessing(options);
+        if (!IsViewKnown(mission, options, imaging) || TargetClass.FindFaults(imaging.TargetClasses).Any())
+            return null;
+        return SearchResolution.Of(
+            imaging.Camera!, imaging.Mount!, mission.CameraPitch, mission.CameraYaw, mission.HeightMetres,
+            imaging.EffectiveMinTargetPixels,
+            imaging.TargetClasses.Where(c => mission.Targets.IsDefaultOrEmpty || mission.Targets.Contains(c.Name)));
+    }
+
+    /// <summary>What refuses a change of a mission after which no picture would be searched; null for others.</summary>
+    public static string? FindTooCoarse(MissionPlan mission, UavOptions options)
+        => options.MissionControl.Group is null && ResolutionOf(mission, options) is { IsTooCoarse: true } resolution
+            ? $"heightMetres of the mission is too much for its smallest target: {resolution}"
+            : null;
+
+    private static bool IsViewKnown(MissionPlan mission, UavOptions options, ImageProcessingOptions imaging)
+        => options.Camera is not null && options.Has(UavManagers.ImageProcessing)
+            && imaging.Camera?.FindFaults().Any() == false && imaging.Mount?.FindFaults().Any() == false
+            && !MissionPlanRules.FindFaults(mission).Any();
 
     private static IEnumerable<string> FindFaultsOfWhatIsLeftOut(UavOptions options)
     {

@@ -248,7 +248,10 @@ public sealed class ImageProcessingOptions
             .Concat(LandingMarker?.FindFaults() ?? [])
             .Concat(TargetClass.FindFaults(TargetClasses))
             .Concat(ColourDetector?.FindFaults() ?? [])
-            .Concat(Detector is null && !TargetClasses.IsDefault
-                ? ColourTargetDetector.FindColourFaults([.. TargetClasses.Where(c => c?.IsColoured != false)])
-                : []);
+            .Concat(Detector is null && !TargetClasses.IsDefault ? FindFaultsOfDetectors() : []);
+
+    // Of those that would be made: each may distinguish so many classes.
+    private IEnumerable<string> FindFaultsOfDetectors()
+        => ColourTargetDetector.FindColourFaults([.. TargetClasses.Where(c => c?.IsColoured != false)])
+            .Concat(ShapeTargetDetector.FindColourFaults([.. TargetClasses.Where(c => c?.IsShaped == true)]));
 }

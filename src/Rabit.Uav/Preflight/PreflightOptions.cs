@@ -75,6 +75,14 @@ public sealed class PreflightOptions
     /// <summary>Whether the mission needs a camera; set where the system is composed.</summary>
     internal bool RequiresCamera { get; set; } = true;
 
+    /// <summary>
+    /// How large the smallest target is in the pictures; null without one. Set where the system is composed.
+    /// </summary>
+    internal SearchResolution? Resolution { get; set; }
+
+    /// <summary>Whether other vehicles search too, in other layers; set where the system is composed.</summary>
+    internal bool IsInGroup { get; set; }
+
     /// <summary>The ground; null where the mission takes it for level. Set where the system is composed.</summary>
     internal TerrainGrid? Terrain { get; set; }
 

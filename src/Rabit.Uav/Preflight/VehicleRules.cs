@@ -70,6 +70,14 @@ internal static class VehicleRules
             HowToSet = "start the camera, or fly without detection",
             Reason = "a search without pictures finds nothing",
         },
+        new VehicleRule(JudgeResolution)
+        {
+            Name = "resolution",
+            Pass = "from the height of the mission the smallest target has the pixels that its detector needs",
+            Warn = "less than 5 % more than that; in a group also less: others of it fly lower",
+            Fail = "less", HowToSet = "fly lower, or search for larger targets",
+            Reason = "pictures in which the smallest target is too small are not searched, and their ground is not seen",
+        },
         new VehicleRule(JudgeDisk)
         {
             Name = "disk", Pass = "100 MB free", Fail = "less", HowToSet = "delete old flights",
@@ -190,6 +198,16 @@ internal static class VehicleRules
         return facts.Now - last <= facts.Options.MaxPictureAge
             ? PreflightJudgement.Pass(text)
             : PreflightJudgement.Fail(text);
+    }
+
+    private static PreflightJudgement JudgeResolution(PreflightFacts facts)
+    {
+        if (facts.Options.Resolution is not { } resolution)
+            return PreflightJudgement.Pass("no smallest target");
+        string text = resolution.ToString();
+        return resolution.IsTooCoarse && !facts.Options.IsInGroup ? PreflightJudgement.Fail(text)
+            : resolution.IsScarce ? PreflightJudgement.Warn(text)
+            : PreflightJudgement.Pass(text);
     }
 
     private static PreflightJudgement JudgeDisk(PreflightFacts facts)

@@ -53,7 +53,7 @@ public sealed class TargetBearingTests
         using var page = new StringWriter(CultureInfo.InvariantCulture);
         HtmlReport.Write(page, Flight);
         string html = page.ToString();
-        Assert.Contains("<dd>35/215° ±2°</dd>", html);
+        Assert.Contains("35/215° ±2°</dd>", html);
         Assert.Single(html.Split('\n'), l => l.Contains("class=\"bearing\""));
     }
 

@@ -131,7 +131,7 @@ public sealed class PreflightChecklistTests
         PreflightReport report = PreflightChecklist.Evaluate(PreflightCases.Facts(MavAutopilot.Generic));
 
         Assert.True(report.Passes);
-        Assert.Equal(10, report.Lines.Length);
+        Assert.Equal(11, report.Lines.Length);
     }
 
     [Fact]
