@@ -164,7 +164,8 @@ internal static class CommandLine
             TruthOption, Headless, Summary, Report, Log, SystemId, SignKey, TrustLink, Px4Events,
         };
         foreach (Option option in PreflightArguments.All.Concat(OperatorArguments.All)
-            .Concat(ReportArguments.All).Concat(RecordingArguments.All).Concat(AbandonedArguments.All)
+            .Concat(ReportArguments.All).Concat(RecordingArguments.All).Concat(KeepArguments.Options)
+            .Concat(AbandonedArguments.All)
             .Concat(WebArguments.All).Concat(ConfigArguments.All).Concat(SimulationArguments.All))
             command.Add(option);
         command.SetAction(result =>
@@ -248,6 +249,7 @@ internal static class CommandLine
         Operator = OperatorArguments.Read(result, given.Flies.Value, given.Config),
         Reporting = ReportArguments.Read(result),
         Recording = RecordingArguments.Read(result, given.Config),
+        KeptPictures = KeepArguments.Read(result, given.Config),
         AbandonedStateFile = AbandonedArguments.Read(result),
         Web = WebArguments.Read(result),
         CommandLine = string.Join(" ", new[] { "UavConsole" }.Concat(result.Tokens.Select(t => t.Value))),
@@ -258,6 +260,7 @@ internal static class CommandLine
         => (given.IsSimulated ? WithoutLink(result, given) : WithLink(result, given))
             .Concat(OfSigning(result, given))
             .Concat(RecordingArguments.FindFaults(result, given.IsReplay))
+            .Concat(KeepArguments.FindFaults(result, given.IsReplay))
             .Concat(PreflightArguments.FindFaults(result, given))
             .Concat(OperatorArguments.FindFaults(result, given))
             .Concat(AbandonedArguments.FindFaults(

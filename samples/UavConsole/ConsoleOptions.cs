@@ -105,6 +105,9 @@ internal sealed class ConsoleOptions
     /// <summary>What is recorded of the links.</summary>
     public RecordingChoices Recording { get; init; } = new();
 
+    /// <summary>Where pictures are kept; null for nowhere.</summary>
+    public KeptPictureOptions? KeptPictures { get; init; }
+
     /// <summary>
     /// The progress file of a flight that ended: the vehicle is asked to return if that flight abandoned it. Null for
     /// a run of its own.

@@ -96,6 +96,7 @@ internal sealed class Flight : IDisposable
         uavOptions.MayCommand = true;
         uavOptions.Camera = world.CreateCamera();
         (uavOptions.Imaging.Camera, uavOptions.Imaging.Mount) = (world.CameraModel, world.CameraMount);
+        uavOptions.Imaging.KeptPictures = options.KeptPictures;
         uavOptions.Seed = options.Seed;
         uavOptions.Time = time;
         uavOptions.GroundCommands = null;
@@ -143,6 +144,7 @@ internal sealed class Flight : IDisposable
         uavOptions.Signing = key is null ? null : SigningOf(key, options);
         if (folder is not null)
             (uavOptions.Imaging.Camera, uavOptions.Imaging.Mount) = (folder.Camera, folder.Mount);
+        uavOptions.Imaging.KeptPictures = options.KeptPictures;
         EventTexts.ApplyTo(uavOptions.Autopilot, options.Px4EventsFile);
         if (options.Flies)
         {

@@ -70,6 +70,7 @@ internal static class FlightRun
         string?[] losses =
         [
             WriteSummary(files, summary), WriteReport(files, summary), ReportRecording(flight),
+            ReportKeptPictures(flight, options),
             .. files.Exports.Select(file => WriteExport(file, summary)), log.Loss, log.ViewLoss, output.Loss,
         ];
         foreach (string? loss in losses)
@@ -99,6 +100,17 @@ internal static class FlightRun
         if (failure is null)
             Console.WriteLine("report: " + Path.GetFullPath(files.Report.Path));
         return failure;
+    }
+
+    private static string? ReportKeptPictures(Flight flight, ConsoleOptions options)
+    {
+        if (options.KeptPictures is not { } kept
+            || flight.Uav.ImageProcessing.SummariseKeptPictures() is not { } counts)
+            return null;
+        Console.WriteLine($"kept pictures: {FlightText.Number(counts.Kept)} in {Path.GetFullPath(kept.Folder)}");
+        return counts.NotKept == 0
+            ? null
+            : $"{FlightText.Number(counts.NotKept)} pictures were not kept: {counts.LastFault ?? "no room to wait"}.";
     }
 
     private static string? ReportRecording(Flight flight)

@@ -81,7 +81,7 @@ internal static class GroupArguments
 
         string[] alone =
         [
-            "--config", "--sign-key", "--web", "--summary", "--export", "--tlog-dir", "--tlog-size", "--progress",
+            "--config", "--sign-key", "--web", "--summary", "--export", "--tlog-dir", "--tlog-size", "--keep-pictures", "--keep-all-pictures", "--progress",
             "--resume",
         ];
         foreach (string name in alone.Where(n => result.Tokens.Any(t => t.Value == n)))

@@ -79,6 +79,8 @@ internal sealed class Photo
         (int width, int height) = (_said.Width ?? 0, _said.Height ?? 0);
         if (width == 0 || height == 0)
             _missing.Add("its size");
+        if (UsesLens && _said.Lens is { } lens)
+            return CameraOf(lens, width, height);
         int longSide = Math.Max(width, height);
         double error = FocalLengthErrorBySensor;
         double pixels;
@@ -110,6 +112,31 @@ internal sealed class Photo
             FocalLengthError = error,
             CentreX = (width - 1) / 2.0,
             CentreY = (height - 1) / 2.0,
+        };
+    }
+
+    // Where the focal length is given, the photo's is not trusted, nor is its lens.
+    private bool UsesLens => Given("sensor-width") is null && Given("focal-length-35mm") is null;
+
+    // Of the picture as it was taken, which may have been made smaller since.
+    private CameraModel CameraOf(PhotoLens lens, int width, int height)
+    {
+        double scale = (double)Math.Max(width, height)
+            / Math.Max(_said.PixelWidth ?? width, _said.PixelHeight ?? height);
+        return new CameraModel
+        {
+            Width = width,
+            Height = height,
+            FocalX = scale * lens.FocalX,
+            FocalY = scale * lens.FocalY,
+            FocalLengthError = FocalLengthErrorBySensor,
+            CentreX = ((width - 1) / 2.0) + (scale * lens.CentreOffsetX),
+            CentreY = ((height - 1) / 2.0) + (scale * lens.CentreOffsetY),
+            K1 = lens.K1,
+            K2 = lens.K2,
+            P1 = lens.P1,
+            P2 = lens.P2,
+            K3 = lens.K3,
         };
     }
 

@@ -18,7 +18,7 @@ namespace Rabit.Uav.ImageProcessing;
 /// second at most, with a larger covariance, or the picture is refused. The manager owns the buffers of the pictures it
 /// holds and gives all back.
 /// </remarks>
-public sealed class ImageProcessingManager : RabitManager
+public sealed partial class ImageProcessingManager : RabitManager
 {
     /// <summary>The name of the manager.</summary>
     public const string ManagerName = "image processing";
@@ -59,6 +59,7 @@ public sealed class ImageProcessingManager : RabitManager
     private readonly PoseHistory _poses;
     private readonly WaitingFrames _waiting;
     private readonly PictureDisplays _displays;
+    private readonly KeptPictures? _kept;
     private readonly FrameNumbers _numbers = new();
     private readonly PictureTally _tally = new();
     private ImagingStatus _next;
@@ -83,6 +84,8 @@ public sealed class ImageProcessingManager : RabitManager
             _search = new PictureSearch(_options, _options.Camera!, _poses, () => Now);
             _detector = new DetectorFigures(_search, Log);
             _picturePoses = new PicturePoses(_options.Camera!, _poses);
+            if (_options.KeptPictures is { } kept)
+                _kept = MakeKept(kept, _options.Camera!);
             if (_options.LandingMarker is { } marker)
                 _landingMarker = new LandingMarkerFinder(marker, _options.Camera!, _options.Mount);
         }
@@ -246,6 +249,7 @@ public sealed class ImageProcessingManager : RabitManager
         _next.Observations++;
         _next.ReportsDropped += _search.Dropped;
         _displays.Add(observation, frame);
+        Keep(frame);
         _next.LastObservation = observation;
         if (_observations.Push(observation) == PushResult.Rejected)
             _next.ReportsDropped += observation.Reports.Length;
@@ -262,48 +266,10 @@ public sealed class ImageProcessingManager : RabitManager
         CountRefusal(PictureQuality.NoPose, why);
     }
 
-    private void CountRefusal(PictureQuality quality, string why, bool isByTilt = false)
-    {
-        _next.FramesRefused++;
-        _next.LastRefusal = why;
-        Count(quality, isByTilt);
-    }
-
-    // Of the search alone: it is judged by them.
-    private void Count(PictureQuality quality, bool isByTilt = false)
-    {
-        if (IsSearching)
-            _tally.Add(quality, Now, isByTilt);
-    }
-
     private void StopSearch()
     {
         if (!UsesPictures)
             _waiting.Clear();
         _tally.StartAgain();
-    }
-
-    // At once when the command or the camera changed or a picture was judged, else at least once a second.
-    private void PostStatus(TimeSpan now)
-    {
-        _next.HasCamera = _camera is not null;
-        _next.Mode = _command.Value.Mode;
-        _next.FramesDropped = _numbers.Lost;
-        _next.HasEnded = _camera?.State is DeviceState.Ended or DeviceState.Faulted;
-        if (!_next.HasEnded)
-            _next.Fault = _source?.Statistics.Fault;
-        else if (_camera?.Fault is { } fault)
-            _next.Fault ??= $"{fault.GetType().Name}: {fault.Message}";
-        _tally.ReadInto(ref _next, now);
-        ref ImagingStatus posted = ref _status.Value;
-        bool isNews = _lastPost is null || posted.Mode != _next.Mode || posted.HasEnded != _next.HasEnded
-            || !ReferenceEquals(posted.Fault, _next.Fault)
-            || posted.Observations != _next.Observations || posted.FramesRefused != _next.FramesRefused;
-        _detector?.ReadInto(ref _next, Now);
-        if (!isNews && now - _lastPost < StatusPeriod)
-            return;
-        posted = _next;
-        _status.Post();
-        _lastPost = now;
     }
 }

@@ -135,6 +135,10 @@ public sealed class ImageProcessingOptions
     /// <value>The default is 320.</value>
     public int PictureOverviewWidth { get; set; } = 320;
 
+    /// <summary>Where pictures are kept as files, each with its place and pose.</summary>
+    /// <value>The default, null, is nowhere.</value>
+    public KeptPictureOptions? KeptPictures { get; set; }
+
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
     internal ImageProcessingOptions ValidatedCopy(bool hasCamera, string parameter)
     {
@@ -145,6 +149,7 @@ public sealed class ImageProcessingOptions
         copy.Errors = Errors.Copy();
         copy.LandingMarker = LandingMarker?.Copy();
         copy.ColourDetector = ColourDetector.Copy();
+        copy.KeptPictures = KeptPictures?.Copy();
         return copy;
     }
 
@@ -236,6 +241,8 @@ public sealed class ImageProcessingOptions
             yield return "the camera is a thermal one, and no target class is a hot spot";
         foreach (TargetClass one in TargetClasses.Where(c => c?.HotSpot is not null && !isThermal))
             yield return $"target class {one.Name} is a hot spot, and the camera is no thermal one (16 bits of grey)";
+        if (isThermal && KeptPictures is not null)
+            yield return "the camera is a thermal one, whose pictures are not kept";
         if (isThermal && LandingMarker is not null)
             yield return "the camera is a thermal one, which sees no landing marker";
     }
@@ -246,6 +253,7 @@ public sealed class ImageProcessingOptions
             .Concat(Mount?.FindFaults() ?? [])
             .Concat(Errors?.FindFaults() ?? [])
             .Concat(LandingMarker?.FindFaults() ?? [])
+            .Concat(KeptPictures?.FindFaults() ?? [])
             .Concat(TargetClass.FindFaults(TargetClasses))
             .Concat(ColourDetector?.FindFaults() ?? [])
             .Concat(Detector is null && !TargetClasses.IsDefault ? FindFaultsOfDetectors() : []);

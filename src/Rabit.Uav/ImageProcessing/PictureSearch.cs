@@ -5,6 +5,7 @@ using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.ImageProcessing.Quality;
 using Rabit.Uav.Messages;
+using Rabit.Vision;
 
 namespace Rabit.Uav.ImageProcessing;
 
@@ -130,6 +131,12 @@ internal sealed class PictureSearch : IGroundScaleSource
         _observation.Reports = _reportCount == 0 ? [] : ImmutableArray.Create(_reports, 0, _reportCount);
         return null;
     }
+
+    /// <summary>What the last picture that was searched says of itself when it is kept.</summary>
+    /// <param name="command">Of that search.</param>
+    /// <param name="takenUtc">The middle of its exposure.</param>
+    public PhotoMetadata CreateMetadata(in ImagingCommand command, DateTimeOffset takenUtc)
+        => PictureMetadata.Of(_camera, _projection, command.GroundAltitudeAmslMetres, takenUtc);
 
     /// <inheritdoc/>
     public bool TryScale(double column, double row, out GroundScale scale)

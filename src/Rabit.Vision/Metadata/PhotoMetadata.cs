@@ -83,6 +83,11 @@ public sealed class PhotoMetadata
     /// </summary>
     public double? FocalLengthPixels { get; set; }
 
+    /// <summary>
+    /// Its calibrated lens (DJI's DewarpData); null where it is not known, or the picture has been corrected for it.
+    /// </summary>
+    public PhotoLens? Lens { get; set; }
+
     /// <summary>Roll of the camera about its line of sight, right side down positive.</summary>
     public double? GimbalRollDegrees { get; set; }
 

@@ -74,6 +74,14 @@ internal static class XmpReader
         }
 
         photo.FocalLengthPixels = Number("CalibratedFocalLength", MaxPixels) is > 0 and { } focal ? focal : null;
+        if (found.TryGetValue("DewarpData", out string? lens)
+            && !(found.TryGetValue("DewarpFlag", out string? isCorrected) && isCorrected.Trim() == "1"))
+        {
+            photo.Lens = XmpLens.Read(lens);
+            if (photo.Lens is null)
+                faults.Add("XMP: DewarpData is not of its form");
+        }
+
         photo.GimbalRollDegrees = Number("GimbalRollDegree", 360);
         photo.GimbalPitchDegrees = Number("GimbalPitchDegree", 360);
         photo.GimbalYawDegrees = Number("GimbalYawDegree", 360);

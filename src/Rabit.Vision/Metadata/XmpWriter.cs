@@ -27,6 +27,12 @@ internal static class XmpWriter
         Add(text, "FlightPitchDegree", photo.FlightPitchDegrees);
         Add(text, "FlightYawDegree", photo.FlightYawDegrees);
         Add(text, "CalibratedFocalLength", photo.FocalLengthPixels);
+        if (photo.Lens is { } lens)
+        {
+            text.Append("\n   drone-dji:DewarpData=\"").Append(XmpLens.Write(lens, photo.TakenLocal))
+                .Append("\"\n   drone-dji:DewarpFlag=\"0\"");
+        }
+
         text.Append("/>\n </rdf:RDF>\n</x:xmpmeta>\n<?xpacket end=\"w\"?>");
         return text.ToString();
     }

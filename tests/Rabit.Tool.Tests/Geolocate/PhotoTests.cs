@@ -38,6 +38,35 @@ public sealed class PhotoTests : IDisposable
         Assert.InRange(_run.Json.Number("ellipse95HalfMajorAxisMetres"), 2, 6);
     }
 
+    // A point 10 m east of the camera is 10 pixels right of the principal point, which a lens moves outwards.
+    [Fact]
+    public void Photo_PngWithACalibratedLens_GivesThePlaceThroughTheLens()
+    {
+        byte[] png = PngPicture.Encode(
+            new RgbPicture(61, 43, new byte[61 * 43 * 3]),
+            new PhotoMetadata
+            {
+                LatitudeDegrees = Latitude,
+                LongitudeDegrees = Longitude,
+                AltitudeAmslMetres = 540,
+                RelativeAltitudeMetres = 50,
+                GimbalPitchDegrees = -90,
+                GimbalYawDegrees = 0,
+                GimbalRollDegrees = 0,
+                PixelWidth = 122,
+                PixelHeight = 86,
+                Lens = new PhotoLens { FocalX = 100, FocalY = 100, CentreOffsetX = 4, CentreOffsetY = -6, K1 = 0.5 },
+            });
+        string photo = Write("lens.png", png);
+        const double Column = 30 + 2 + (50 * 0.2 * (1 + (0.5 * 0.2 * 0.2)));
+
+        Assert.Equal(0, _run.Run(photo, "--pixel", FormattableString.Invariant($"{Column},18"), "--json"));
+
+        NedPosition place = PlaceFromCamera();
+        Assert.Equal(0, place.North, 0.01);
+        Assert.Equal(10, place.East, 0.01);
+    }
+
     // As a program of one's own writes it: the focal length in pixels is of the size that the picture had.
     [Theory]
     [InlineData(61, 43)]

@@ -20,17 +20,27 @@ public sealed class SearchResolutionTests
 {
     private static readonly CameraModel Camera = new()
     {
-        Width = 640, Height = 480, FocalX = 530, FocalY = 530, CentreX = 319.5, CentreY = 239.5,
+        Width = 640,
+        Height = 480,
+        FocalX = 530,
+        FocalY = 530,
+        CentreX = 319.5,
+        CentreY = 239.5,
     };
 
     private static readonly TargetClass Person = new("person")
     {
-        Colour = new ColourRange(242, 112, 18), MinSideMetres = 0.5, MaxSideMetres = 1.3, MinColourShare = 0.4,
+        Colour = new ColourRange(242, 112, 18),
+        MinSideMetres = 0.5,
+        MaxSideMetres = 1.3,
+        MinColourShare = 0.4,
     };
 
     private static readonly TargetClass Tag = new("tag")
     {
-        Marker = new TargetMarker(MarkerFamily.AprilTag36h11), MinSideMetres = 0.8, MaxSideMetres = 1,
+        Marker = new TargetMarker(MarkerFamily.AprilTag36h11),
+        MinSideMetres = 0.8,
+        MaxSideMetres = 1,
     };
 
     [Theory]

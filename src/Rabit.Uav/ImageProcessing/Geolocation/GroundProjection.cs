@@ -32,6 +32,16 @@ internal readonly struct GroundProjection
         };
     }
 
+    /// <summary>Where the camera itself is, and how it is turned: north-east-down from camera.</summary>
+    public (GeodeticPosition Position, Rotation NedFromCamera) CameraPose()
+    {
+        Rotation attitude = _geometry.Pose.Attitude;
+        CameraExtrinsics placement = _projector.Mount.At(_geometry.Gimbal, attitude);
+        return (
+            ToGeodetic(NedPosition.Origin + attitude.ToNed(placement.PositionMetres)),
+            attitude * placement.BodyFromCamera);
+    }
+
     /// <summary>Where a pixel's ray intersects the ground, metres from the vehicle; or why it does not.</summary>
     public GeolocationError Locate(double column, double row, out NedPosition ground)
     {
