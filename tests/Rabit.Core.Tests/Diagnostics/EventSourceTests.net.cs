@@ -37,7 +37,7 @@ public sealed class EventSourceTests
     }
 
     [Fact, Trait("Clause", "4.4")]
-    public void UnitOfWork_ThatTakesTime_TellsItsDurationAndTheWakeLatency()
+    public void UnitOfWork_ThatTakesTime_ReportsItsDurationAndTheWakeLatency()
     {
         string name = "long-" + Guid.NewGuid().ToString("N");
         using var listener = new Listener(name);
