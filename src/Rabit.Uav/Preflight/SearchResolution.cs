@@ -36,7 +36,7 @@ internal sealed class SearchResolution
     /// <summary>Whether some would not.</summary>
     public bool IsScarce => !(Pixels >= Slack * NeededPixels);
 
-    /// <summary>The greatest height that would do, whole metres, for a person.</summary>
+    /// <summary>The greatest height that would do, in whole metres, to be read.</summary>
     public double SufficientHeightMetres => Math.Floor(_heightMetres * Pixels / (Slack * NeededPixels));
 
     /// <summary>Judges a mission's camera; null where there is nothing to search for, or no smallest size.</summary>

@@ -13,6 +13,8 @@ internal sealed class FusionStatistics
     public long ObservationsRefused;
     public long TracksDropped;
     public long TracksMerged;
+    public long TracksExchanged;
+    public long MeetingsWithoutRoom;
 
     /// <summary>Refused reports by vehicle and reason.</summary>
     public RefusalCounts Refusals { get; } = new();
@@ -29,6 +31,8 @@ internal sealed class FusionStatistics
         ObservationsRefused = ObservationsRefused,
         TracksDropped = TracksDropped,
         TracksMerged = TracksMerged,
+        TracksExchanged = TracksExchanged,
+        MeetingsWithoutRoom = MeetingsWithoutRoom,
         Refused = Refusals.Close(),
     };
 }

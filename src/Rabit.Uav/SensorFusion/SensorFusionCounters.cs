@@ -46,4 +46,13 @@ public sealed class SensorFusionCounters
 
     /// <summary>Tracks that turned out to be of the target of another track.</summary>
     public long TracksMerged { get; init; }
+
+    /// <summary>How often two tracks that had met gave each other the reports that were the other one's.</summary>
+    public long TracksExchanged { get; init; }
+
+    /// <summary>
+    /// How often two tracks met and were not looked at later, since too many others had met; counted each time that
+    /// both are reported.
+    /// </summary>
+    public long MeetingsWithoutRoom { get; init; }
 }

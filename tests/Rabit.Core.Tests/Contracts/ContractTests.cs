@@ -1,4 +1,6 @@
 using System;
+using System.Threading.Tasks;
+using Xunit;
 
 namespace Rabit.Core.Tests.Contracts;
 
@@ -10,4 +12,11 @@ public abstract class ContractTests(TimeKind kind)
     protected RabitTime CreateTime() => Kind.Create();
 
     private protected TestRun NewRun(Action<ReactorOptions>? configure = null) => new(Kind, configure);
+
+    /// <summary>What a task gives; only a test that fails waits for long.</summary>
+    protected static async Task<TResult> InTime<TResult>(Task<TResult> task)
+    {
+        Assert.Same(task, await Task.WhenAny(task, Task.Delay(TestTimeout.Limit)).ConfigureAwait(false));
+        return await task.ConfigureAwait(false);
+    }
 }

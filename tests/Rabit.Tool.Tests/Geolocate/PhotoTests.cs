@@ -42,21 +42,8 @@ public sealed class PhotoTests : IDisposable
     [Fact]
     public void Photo_PngWithACalibratedLens_GivesThePlaceThroughTheLens()
     {
-        byte[] png = PngPicture.Encode(
-            new RgbPicture(61, 43, new byte[61 * 43 * 3]),
-            new PhotoMetadata
-            {
-                LatitudeDegrees = Latitude,
-                LongitudeDegrees = Longitude,
-                AltitudeAmslMetres = 540,
-                RelativeAltitudeMetres = 50,
-                GimbalPitchDegrees = -90,
-                GimbalYawDegrees = 0,
-                GimbalRollDegrees = 0,
-                PixelWidth = 122,
-                PixelHeight = 86,
-                Lens = new PhotoLens { FocalX = 100, FocalY = 100, CentreOffsetX = 4, CentreOffsetY = -6, K1 = 0.5 },
-            });
+        byte[] png = StraightDown(
+            122, 86, null, new PhotoLens { FocalX = 100, FocalY = 100, CentreOffsetX = 4, CentreOffsetY = -6, K1 = 0.5 });
         string photo = Write("lens.png", png);
         const double Column = 30 + 2 + (50 * 0.2 * (1 + (0.5 * 0.2 * 0.2)));
 
@@ -73,21 +60,7 @@ public sealed class PhotoTests : IDisposable
     [InlineData(122, 86)]
     public void Photo_PngWithMetadata_GivesThePlace(int takenWidth, int takenHeight)
     {
-        byte[] png = PngPicture.Encode(
-            new RgbPicture(61, 43, new byte[61 * 43 * 3]),
-            new PhotoMetadata
-            {
-                LatitudeDegrees = Latitude,
-                LongitudeDegrees = Longitude,
-                AltitudeAmslMetres = 540,
-                RelativeAltitudeMetres = 50,
-                GimbalPitchDegrees = -90,
-                GimbalYawDegrees = 0,
-                GimbalRollDegrees = 0,
-                PixelWidth = takenWidth,
-                PixelHeight = takenHeight,
-                FocalLengthPixels = 50 * takenWidth / 61.0,
-            });
+        byte[] png = StraightDown(takenWidth, takenHeight, 50 * takenWidth / 61.0, lens: null);
 
         Assert.Equal(0, _run.Run(Write("a.png", png), "--pixel", "60,21", "--json"));
 
@@ -154,6 +127,25 @@ public sealed class PhotoTests : IDisposable
         Assert.Equal(1, _run.Run(photo, "--pixel", "61,1"));
         Assert.StartsWith("refused: OutsidePicture", _run.Output, StringComparison.Ordinal);
     }
+
+    // Of 61 x 43 pixels, from 50 m above the ground, north up.
+    private static byte[] StraightDown(int takenWidth, int takenHeight, double? focalLengthPixels, PhotoLens? lens)
+        => PngPicture.Encode(
+            new RgbPicture(61, 43, new byte[61 * 43 * 3]),
+            new PhotoMetadata
+            {
+                LatitudeDegrees = Latitude,
+                LongitudeDegrees = Longitude,
+                AltitudeAmslMetres = 540,
+                RelativeAltitudeMetres = 50,
+                GimbalPitchDegrees = -90,
+                GimbalYawDegrees = 0,
+                GimbalRollDegrees = 0,
+                PixelWidth = takenWidth,
+                PixelHeight = takenHeight,
+                FocalLengthPixels = focalLengthPixels,
+                Lens = lens,
+            });
 
     private void AssertRefused(string reason, params string[] arguments)
     {

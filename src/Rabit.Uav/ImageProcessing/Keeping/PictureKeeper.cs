@@ -14,8 +14,6 @@ internal sealed class PictureKeeper(KeptPictureOptions options) : IWriterTarget<
 {
     public const string Full = "the kept pictures have as many bytes as they may have";
 
-    private const string TemporaryEnding = ".part";
-
     private long _bytes;
     private long _kept;
     private long _lost;
@@ -39,7 +37,7 @@ internal sealed class PictureKeeper(KeptPictureOptions options) : IWriterTarget<
         try
         {
             Directory.CreateDirectory(options.Folder);
-            string probe = Path.Combine(options.Folder, $".{Guid.NewGuid():N}{TemporaryEnding}");
+            string probe = Path.Combine(options.Folder, $".{Guid.NewGuid():N}{PartialFile.Ending}");
             File.WriteAllBytes(probe, new byte[1]);
             File.Delete(probe);
         }
@@ -84,9 +82,8 @@ internal sealed class PictureKeeper(KeptPictureOptions options) : IWriterTarget<
             if (_bytes + file.Length > options.MaxBytes)
                 throw new IOException(Full);
             Directory.CreateDirectory(options.Folder);
-            File.WriteAllBytes(path + TemporaryEnding, file);
-            File.Delete(path);
-            File.Move(path + TemporaryEnding, path);
+            File.WriteAllBytes(PartialFile.PathOf(path), file);
+            PartialFile.Complete(path);
             _bytes += file.Length;
             Interlocked.Increment(ref _kept);
             _fault = null;
@@ -95,7 +92,7 @@ internal sealed class PictureKeeper(KeptPictureOptions options) : IWriterTarget<
         {
             Interlocked.Increment(ref _lost);
             _fault = e.Message;
-            TryDelete(path + TemporaryEnding);
+            TryDelete(PartialFile.PathOf(path));
         }
     }
 

@@ -12,8 +12,6 @@ namespace Rabit.Uav.ImageProcessing;
 /// </summary>
 public sealed class PictureFolderWriter
 {
-    private const string TemporaryEnding = ".part";
-
     private readonly string _folder;
     private long _written;
 
@@ -40,11 +38,10 @@ public sealed class PictureFolderWriter
             frame.Number, ToMicroseconds(frameStartUtc), frame.Exposure.Ticks / TicksPerMicrosecond);
         string name = facts.ToFileName();
         string path = Path.Combine(_folder, name);
-        PictureFile.Save(path + TemporaryEnding, new RgbPicture(frame.Width, frame.Height, frame.Pixels.Array));
+        PictureFile.Save(PartialFile.PathOf(path), new RgbPicture(frame.Width, frame.Height, frame.Pixels.Array));
         try
         {
-            File.Delete(path);
-            File.Move(path + TemporaryEnding, path);
+            PartialFile.Complete(path);
         }
         catch (Exception e) when (FileFaults.IsFileFault(e))
         {

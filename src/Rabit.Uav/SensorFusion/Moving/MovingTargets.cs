@@ -87,6 +87,8 @@ internal sealed class MovingTargets
         _statistics.TracksDropped += _tracker.TracksDeleted - deleted;
         _statistics.ReportsTwice += _tracker.PointsTwice - twice;
         _statistics.ReportsWithoutRoom += _tracker.PointsWithoutRoom - crowded;
+        _statistics.TracksExchanged = _tracker.Meetings.Exchanges;
+        _statistics.MeetingsWithoutRoom = _tracker.Meetings.WithoutRoom;
         _statistics.Refusals.Add(source, ReportFault.TooOld, _tracker.PointsLate - late);
         for (int i = 0; i < count; i++)
             TrackOf(i)?.Description.Add(reports[i]);

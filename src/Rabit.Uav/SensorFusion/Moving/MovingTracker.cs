@@ -21,7 +21,6 @@ internal sealed class MovingTracker
     private readonly Stack<MovingTrack> _unused;
     private readonly ScanAssociation _association;
     private readonly int[] _trackOfPoint;
-    private readonly Meetings _meetings;
     private readonly Func<int> _nextId;
     private TimeSpan? _time;
 
@@ -42,7 +41,7 @@ internal sealed class MovingTracker
         for (int i = 0; i < settings.MaxTracks; i++)
             _unused.Push(new MovingTrack(settings));
         _association = new ScanAssociation(settings);
-        _meetings = new Meetings(settings, models);
+        Meetings = new Meetings(settings, models);
         _trackOfPoint = new int[settings.MaxPoints];
         Clear();
     }
@@ -68,6 +67,9 @@ internal sealed class MovingTracker
     /// <summary>Points that found no room: too many in their scan, or too many tracks.</summary>
     public long PointsWithoutRoom { get; private set; }
 
+    /// <summary>Tracks that met.</summary>
+    public Meetings Meetings { get; }
+
     /// <summary>Tracks that were deleted.</summary>
     public long TracksDeleted { get; private set; }
 
@@ -79,7 +81,7 @@ internal sealed class MovingTracker
     {
         for (int t = _tracks.Count - 1; t >= 0; t--)
             Remove(t);
-        _meetings.Clear();
+        Meetings.Clear();
         _clutter.AsSpan().Fill(new ClutterEstimate(_settings.MinClutterDensity));
         _time = null;
     }
@@ -108,7 +110,7 @@ internal sealed class MovingTracker
         Expect(scan, points.Length > 0 ? points[0].Measurement.Registration : default);
         _association.Pair(_tracks, points, scan.DetectionProbability, _otherDensity);
         UpdateTracks(scan, points);
-        _meetings.Update(_tracks, Time, _trackOfPoint.AsSpan(0, points.Length));
+        Meetings.Update(_tracks, Time, _trackOfPoint.AsSpan(0, points.Length));
         EstimateClutter(scan);
         StartTracks(points);
         Delete();

@@ -4,6 +4,7 @@ using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Tests.Shared;
 using Rabit.Uav.Messages;
+using Rabit.Uav.SensorFusion;
 using Rabit.Uav.SensorFusion.Metrics;
 
 namespace Rabit.Uav.Tests.SensorFusion.Moving;
@@ -61,6 +62,9 @@ internal sealed class CrossingRun
     /// <summary>How near they were.</summary>
     public double MinMetres { get; private set; } = double.PositiveInfinity;
 
+    /// <summary>Those of Sensor Fusion at the end.</summary>
+    public SensorFusionCounters Counters { get; private set; } = new();
+
     public void Fly(FusionRig rig, TargetClassName name)
     {
         (double biasNorth, double biasEast) = (CommonSigma * _random.Gauss(), CommonSigma * _random.Gauss());
@@ -81,6 +85,8 @@ internal sealed class CrossingRun
                 confirmed.Select(t => t.Id).ToArray(),
                 confirmed.Select(t => FusionRig.PlaceOf(t) with { Down = 0 }).ToArray());
         }
+
+        Counters = rig.Counters;
     }
 
     public (double North, double East) At(int target, double time)

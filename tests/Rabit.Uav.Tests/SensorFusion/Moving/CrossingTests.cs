@@ -33,6 +33,14 @@ public sealed class CrossingTests(ITestOutputHelper output)
         Assert.InRange(run.Metrics.Mota, 0.98, 1);
     }
 
+    [Fact]
+    public void Walkers_PairedWrongAtFirst_AreExchangedAndThatIsCounted()
+    {
+        CrossingRun run = Fly(2, Person, farMetres: 35, sigma: 0.7, clutter: 0.1, maxTurn: 0.1);
+        Assert.InRange(run.Counters.TracksExchanged, 1, 2 * Minutes);
+        Assert.Equal(0, run.Counters.MeetingsWithoutRoom);
+    }
+
     // How many of 40 runs have more; where both turn by up to 23 degrees just where they meet, or brake, it shows less
     // who came from where.
     [Theory]

@@ -282,6 +282,20 @@ public class MovingTrackerTests(ITestOutputHelper output)
         Assert.Equal(20, tracker.Tracks[0].Points);
     }
 
+    // Of a row of targets each is near its three neighbours on each side.
+    [Theory]
+    [InlineData(8, false)]
+    [InlineData(30, true)]
+    public void Update_MoreMeetThanThereIsRoomFor_AreCounted(int targets, bool areMore)
+    {
+        MovingTracker tracker = Tracker();
+        for (int i = 0; i < 12; i++)
+            Look(tracker, i, Enumerable.Range(0, targets).Select(t => (2.0 * t, 0.0, Walkers, -1)).ToArray());
+
+        Assert.Equal(targets, Confirmed(tracker).Length);
+        Assert.Equal(areMore, tracker.Meetings.WithoutRoom > 0);
+    }
+
     private static NedPosition PlaceOf(MovingTrack track, TimeSpan time)
     {
         var there = new MotionFilter();
