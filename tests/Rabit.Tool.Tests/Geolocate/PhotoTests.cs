@@ -42,8 +42,8 @@ public sealed class PhotoTests : IDisposable
     [Fact]
     public void Photo_PngWithACalibratedLens_GivesThePlaceThroughTheLens()
     {
-        byte[] png = StraightDown(
-            122, 86, null, new PhotoLens { FocalX = 100, FocalY = 100, CentreOffsetX = 4, CentreOffsetY = -6, K1 = 0.5 });
+        var lens = new PhotoLens { FocalX = 100, FocalY = 100, CentreOffsetX = 4, CentreOffsetY = -6, K1 = 0.5 };
+        byte[] png = StraightDown(122, 86, focalLengthPixels: null, lens);
         string photo = Write("lens.png", png);
         const double Column = 30 + 2 + (50 * 0.2 * (1 + (0.5 * 0.2 * 0.2)));
 

@@ -13,7 +13,7 @@ internal sealed class PictureRate(double? framesPerSecond)
         ? TimeSpan.FromTicks((long)(TimeSpan.TicksPerSecond / rate))
         : TimeSpan.Zero;
 
-    private TimeSpan _due;
+    private TimeSpan? _due;   // of the next picture; null before the first
 
     public bool IsLimited => _period > TimeSpan.Zero;
 
@@ -26,7 +26,9 @@ internal sealed class PictureRate(double? framesPerSecond)
         var half = TimeSpan.FromTicks(_period.Ticks / 2);
         if (now < _due - half)
             return false;
-        _due = _due + _period > now + half ? _due + _period : now + half;
+
+        // After a gap, as before the first one, the time begins again: else the next would be taken at once.
+        _due = (_due is { } due && now <= due + half ? due : now) + _period;
         return true;
     }
 }

@@ -43,4 +43,20 @@ public sealed class PictureRateTests
 
         Assert.InRange(taken, 10, 11);
     }
+
+    // The first one starts the clock, however late the camera begins, or begins again.
+    [Theory]
+    [InlineData(0)]
+    [InlineData(0.07)]
+    [InlineData(10)]
+    public void Takes_ManyFromAMomentOn_TakesNoTwoAtOnce(double from)
+    {
+        var rate = new PictureRate(5);
+
+        double[] taken = Enumerable.Range(0, 100).Select(i => from + (i / 50.0))
+            .Where(t => rate.Takes(TimeSpan.FromSeconds(t))).ToArray();
+
+        Assert.Equal(from, taken[0]);
+        Assert.All(taken.Zip(taken.Skip(1), (a, b) => b - a), gap => Assert.InRange(gap, 0.099, 0.221));
+    }
 }
