@@ -13,6 +13,8 @@ internal sealed class FusionStatistics
     public long ObservationsRefused;
     public long TracksDropped;
     public long TracksMerged;
+    public long TracksOccluded;
+    public long TracksFoundAgain;
     public long TracksExchanged;
     public long MeetingsWithoutRoom;
 
@@ -31,6 +33,8 @@ internal sealed class FusionStatistics
         ObservationsRefused = ObservationsRefused,
         TracksDropped = TracksDropped,
         TracksMerged = TracksMerged,
+        TracksOccluded = TracksOccluded,
+        TracksFoundAgain = TracksFoundAgain,
         TracksExchanged = TracksExchanged,
         MeetingsWithoutRoom = MeetingsWithoutRoom,
         Refused = Refusals.Close(),

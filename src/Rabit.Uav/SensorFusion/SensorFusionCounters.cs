@@ -47,6 +47,15 @@ public sealed class SensorFusionCounters
     /// <summary>Tracks that turned out to be of the target of another track.</summary>
     public long TracksMerged { get; init; }
 
+    /// <summary>
+    /// How often a track of a target that moves was missed where it should have been seen, and kept since its target
+    /// is taken to be hidden.
+    /// </summary>
+    public long TracksOccluded { get; init; }
+
+    /// <summary>How often the target of one of these was seen again, and has kept its track.</summary>
+    public long TracksFoundAgain { get; init; }
+
     /// <summary>How often two tracks that had met gave each other the reports that were the other one's.</summary>
     public long TracksExchanged { get; init; }
 

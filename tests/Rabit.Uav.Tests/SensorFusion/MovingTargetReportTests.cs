@@ -117,14 +117,22 @@ public class MovingTargetReportTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Track_GoneFromWhereItWas_IsDeleted()
+    public void Track_GoneFromWhereItWas_IsLostThenDeleted()
     {
         using FusionRig rig = Rig();
         for (int i = 0; i < 10; i++)
             rig.Observe(0, 0, FusionRig.Report(0, 0, Person));
-        for (int i = 0; i < 40; i++)
+        for (int i = 0; i < 6; i++)
+            rig.Observe(0, 0);
+        Assert.Equal(TrackState.Lost, rig.Only.State);
+        Assert.Equal(1, rig.Counters.TracksOccluded);
+        for (int i = 0; i < 50; i++)
+            rig.Observe(0, 0);
+        Assert.Equal(TrackState.Lost, rig.Only.State);
+        for (int i = 0; i < 5; i++)
             rig.Observe(0, 0);
         Assert.Empty(rig.Tracks);
+        Assert.Equal(0, rig.Counters.TracksFoundAgain);
         Assert.Equal(1, rig.Counters.TracksDropped);
     }
 

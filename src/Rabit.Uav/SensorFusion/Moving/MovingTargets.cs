@@ -87,6 +87,8 @@ internal sealed class MovingTargets
         _statistics.TracksDropped += _tracker.TracksDeleted - deleted;
         _statistics.ReportsTwice += _tracker.PointsTwice - twice;
         _statistics.ReportsWithoutRoom += _tracker.PointsWithoutRoom - crowded;
+        _statistics.TracksOccluded = _tracker.TracksOccluded;
+        _statistics.TracksFoundAgain = _tracker.TracksFoundAgain;
         _statistics.TracksExchanged = _tracker.Meetings.Exchanges;
         _statistics.MeetingsWithoutRoom = _tracker.Meetings.WithoutRoom;
         _statistics.Refusals.Add(source, ReportFault.TooOld, _tracker.PointsLate - late);
@@ -164,6 +166,7 @@ internal sealed class MovingTargets
             return TrackState.Tentative;
         HorizontalCovariance c = track.Widest.Covariance;
         bool isLost = track.Existence < 0.5
+            || track.IsOccluded
             || Math.Max(c.NorthNorth, c.EastEast) > LostSigmaMetres * LostSigmaMetres;
         return isLost ? TrackState.Lost : TrackState.Confirmed;
     }

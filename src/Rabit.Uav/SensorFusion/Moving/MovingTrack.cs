@@ -10,7 +10,16 @@ internal sealed class MovingTrack(TrackerSettings settings)
 
     private readonly MotionFilter _expected = new();
     private ExpectedPlace _quiet;
+
+    // The probability that there is a target, and it is out of sight; a part of the existence.
+    private double _hidden;
     private bool _hasTwoModes;
+
+    /// <summary>
+    /// Whether it takes points of a scan; else it goes on with a track that begins where its target may be.
+    /// </summary>
+    public bool TakesPoints => !IsTooNew
+        && !(IsOccluded && IsWiderThan(settings.MaxSigmaForAPointMetres, _expected.PositionCovariance));
 
     /// <summary>Number of the track; never used again.</summary>
     public int Id { get; private set; }
@@ -29,7 +38,19 @@ internal sealed class MovingTrack(TrackerSettings settings)
     /// <summary>The probability that there is a target.</summary>
     public double Existence { get; private set; }
 
+    /// <summary>The probability that there is a target, and it is in sight.</summary>
+    public double Visible => Existence - _hidden;
+
+    /// <summary>
+    /// Whether it is taken for one that is there, but out of sight behind or under something: it is predicted on, and
+    /// goes on with the first point that may be its own.
+    /// </summary>
+    public bool IsOccluded { get; private set; }
+
     public bool IsConfirmed { get; private set; }
+
+    /// <summary>Whether it is confirmed, and all its points are still kept.</summary>
+    public bool IsYoung => IsConfirmed && !Filter.Before.IsStarted;
 
     public int Points { get; private set; }
 
@@ -60,8 +81,8 @@ internal sealed class MovingTrack(TrackerSettings settings)
     public void Start(int id, in ScanPoint point, MotionModel model, double existence)
     {
         (Id, Class, Marker) = (id, point.Class, point.Marker);
-        (Existence, StartExistence) = (existence, existence);
-        (IsConfirmed, Points, Misses) = (false, 1, 0);
+        (Existence, StartExistence, _hidden) = (existence, existence, 0);
+        (IsConfirmed, IsOccluded, Points, Misses) = (false, false, 1, 0);
         // What was expected of the target before, which may have been anywhere, is nothing of this one.
         (Widest, _quiet, _hasTwoModes) = (default, default, false);
         (MissProbability, IsTooNew) = (1, false);
@@ -77,10 +98,10 @@ internal sealed class MovingTrack(TrackerSettings settings)
     /// <summary>Goes to the time of a scan, in which the target may have gone.</summary>
     /// <param name="scan">The scan.</param>
     /// <param name="registration">The registration error of its source.</param>
-    /// <param name="survival">How likely the target is still there since the scan before.</param>
-    public void Expect(in Scan scan, HorizontalCovariance registration, double survival)
+    /// <param name="step">What may have become of the target since the scan before.</param>
+    public void Expect(in Scan scan, HorizontalCovariance registration, in ExistenceStep step)
     {
-        Existence *= survival;
+        (Existence, _hidden) = (step.Survival * Existence, step.Survival * _hidden);
         IsTooNew = Filter.IsTooOld(scan.Time);
         if (IsTooNew)
             return;
@@ -90,7 +111,10 @@ internal sealed class MovingTrack(TrackerSettings settings)
         _hasTwoModes = _expected.Modes == 2;
         _quiet = _expected.Expect(0, slot, known);
         Widest = _hasTwoModes ? _expected.Expect(1, slot, known) : _quiet;
-        MissProbability = IsShownBy(scan) ? 1 - scan.DetectionProbability : 1;
+        bool isShown = IsShownBy(scan);
+        MissProbability = isShown ? 1 - scan.DetectionProbability : 1;
+        if (isShown && IsConfirmed && Points >= settings.EstablishedPoints)
+            _hidden += (step.Hides * Visible) - (step.Appears * _hidden);
     }
 
     /// <summary>How likely the present scan has a point of the target at a place, per square metre.</summary>
@@ -100,7 +124,9 @@ internal sealed class MovingTrack(TrackerSettings settings)
         return _hasTwoModes ? widest + (_quiet.Weight * _quiet.Compare(measurement).Likelihood) : widest;
     }
 
-    /// <summary>Takes a point of the present scan in.</summary>
+    /// <summary>
+    /// Takes a point of the present scan in. One that is not its target's would be seen as well if that is hidden.
+    /// </summary>
     /// <param name="point">The point.</param>
     /// <param name="likelihood">Of the scan, with the target against without it.</param>
     public TakeResult Hit(in ScanPoint point, double likelihood)
@@ -112,6 +138,7 @@ internal sealed class MovingTrack(TrackerSettings settings)
         LastPointCovariance = point.Measurement.Covariance;
         History.Add(isHit: true);
         Weigh(likelihood);
+        IsOccluded &= _hidden > settings.OccludedRatio * Visible;
         if (point.Marker >= 0)
             Marker = point.Marker;
         if (point.Measurement.Time < FirstSeen)
@@ -119,6 +146,19 @@ internal sealed class MovingTrack(TrackerSettings settings)
         IsConfirmed |= Existence >= settings.Confirm
             && History.HitsInLast(settings.ConfirmOutOf) >= settings.ConfirmHits;
         return result;
+    }
+
+    /// <summary>Goes on with a track that began later and is of the same target.</summary>
+    public void GoOnAs(MovingTrack later)
+    {
+        foreach (TrackMeasurement measurement in later.Filter.Kept)
+            Filter.Take(measurement);
+        (Existence, _hidden, IsOccluded) = (later.Existence, later._hidden, later.IsOccluded);
+        (History, LastPointCovariance) = (later.History, later.LastPointCovariance);
+        Points += later.Points;
+        Misses += later.Misses;
+        if (later.Marker >= 0)
+            Marker = later.Marker;
     }
 
     /// <summary>Has no point in the present scan; a miss only where that shows its place.</summary>
@@ -129,6 +169,7 @@ internal sealed class MovingTrack(TrackerSettings settings)
         Misses++;
         History.Add(isHit: false);
         Weigh(MissProbability);
+        IsOccluded |= _hidden > settings.OccludedRatio * Visible;
     }
 
     /// <summary>Whether it is to be deleted.</summary>
@@ -138,9 +179,12 @@ internal sealed class MovingTrack(TrackerSettings settings)
             return true;
         if (!IsConfirmed && now - LastSeen > settings.TentativeLifetime)
             return true;
-        double most = settings.MaxSigmaMetres * settings.MaxSigmaMetres;
-        HorizontalCovariance covariance = Widest.Covariance;
-        return !IsTooNew && (covariance.NorthNorth > most || covariance.EastEast > most);
+        if (IsTooNew)
+            return false;
+        if (IsOccluded && (now - LastSeen > settings.MaxOccluded
+            || IsWiderThan(settings.MaxOccludedSigmaMetres, _expected.PositionCovariance)))
+            return true;
+        return IsWiderThan(settings.MaxSigmaMetres, Widest.Covariance);
     }
 
     private bool IsShownBy(in Scan scan)
@@ -154,6 +198,13 @@ internal sealed class MovingTrack(TrackerSettings settings)
         return scan.Footprint.Contains(Widest.North, Widest.East, margin);
     }
 
+    private static bool IsWiderThan(double sigmaMetres, HorizontalCovariance covariance)
+        => Math.Max(covariance.NorthNorth, covariance.EastEast) > sigmaMetres * sigmaMetres;
+
     private void Weigh(double likelihood)
-        => Existence = Existence * likelihood / (1 - Existence + (Existence * likelihood));
+    {
+        double visible = Visible * likelihood;
+        double sum = 1 - Existence + _hidden + visible;
+        (Existence, _hidden) = ((_hidden + visible) / sum, _hidden / sum);
+    }
 }

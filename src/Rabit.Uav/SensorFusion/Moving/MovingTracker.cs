@@ -8,7 +8,8 @@ namespace Rabit.Uav.SensorFusion.Moving;
 /// Tracks of targets that move: each scan is paired with all tracks at once; a track has a probability of existence,
 /// which a point raises the more the less clutter there is, and a miss lowers (Musicki, Evans, Stankovic: "Integrated
 /// Probabilistic Data Association", IEEE Trans. Automatic Control 39(6), 1994, here with the one most likely pairing).
-/// Scans may arrive late, in any order; each only once. Fixed room: a scan allocates nothing. For one thread.
+/// A target that has been seen for a while may also be there and not be seen (their "Markov Chain Two"): its track is
+/// occluded then, and goes on where it is seen again. Scans may arrive late, in any order; each only once. Fixed room: a scan allocates nothing. For one thread.
 /// </summary>
 internal sealed class MovingTracker
 {
@@ -20,6 +21,7 @@ internal sealed class MovingTracker
     private readonly List<MovingTrack> _tracks;
     private readonly Stack<MovingTrack> _unused;
     private readonly ScanAssociation _association;
+    private readonly TrackStitcher _stitcher;
     private readonly int[] _trackOfPoint;
     private readonly Func<int> _nextId;
     private TimeSpan? _time;
@@ -41,6 +43,7 @@ internal sealed class MovingTracker
         for (int i = 0; i < settings.MaxTracks; i++)
             _unused.Push(new MovingTrack(settings));
         _association = new ScanAssociation(settings);
+        _stitcher = new TrackStitcher(settings);
         Meetings = new Meetings(settings, models);
         _trackOfPoint = new int[settings.MaxPoints];
         Clear();
@@ -69,6 +72,12 @@ internal sealed class MovingTracker
 
     /// <summary>Tracks that met.</summary>
     public Meetings Meetings { get; }
+
+    /// <summary>Tracks that became occluded.</summary>
+    public long TracksOccluded { get; private set; }
+
+    /// <summary>Occluded tracks whose target was seen again.</summary>
+    public long TracksFoundAgain { get; private set; }
 
     /// <summary>Tracks that were deleted.</summary>
     public long TracksDeleted { get; private set; }
@@ -110,6 +119,7 @@ internal sealed class MovingTracker
         Expect(scan, points.Length > 0 ? points[0].Measurement.Registration : default);
         _association.Pair(_tracks, points, scan.DetectionProbability, _otherDensity);
         UpdateTracks(scan, points);
+        Stitch(_trackOfPoint.AsSpan(0, points.Length));
         Meetings.Update(_tracks, Time, _trackOfPoint.AsSpan(0, points.Length));
         EstimateClutter(scan);
         StartTracks(points);
@@ -119,11 +129,11 @@ internal sealed class MovingTracker
     private void Expect(in Scan scan, HorizontalCovariance registration)
     {
         double seconds = _time is { } before ? Math.Max(0, (scan.Time - before).TotalSeconds) : 0;
-        double survival = Math.Exp(-_settings.DeathsPerSecond * seconds);
+        var step = new ExistenceStep(_settings, seconds);
         if (_time is null || scan.Time > _time)
             _time = scan.Time;
         foreach (MovingTrack track in _tracks)
-            track.Expect(scan, registration, survival);
+            track.Expect(scan, registration, step);
         for (int i = 0; i < _models.Length; i++)
             _otherDensity[i] = _clutter[i].Density + _settings.BirthDensity;
     }
@@ -138,20 +148,46 @@ internal sealed class MovingTracker
             MovingTrack track = _tracks[t];
             int p = _association.PointOf(t);
             if (p < 0)
-                track.Miss();
+                Miss(track);
             else
                 Take(track, points[p], p, scan.DetectionProbability);
         }
+    }
+
+    // Also one that was confirmed before it was clear that the other's target is not seen.
+    private void Stitch(Span<int> trackOfPoint)
+    {
+        for (int t = _tracks.Count - 1; t >= 0; t--)
+        {
+            MovingTrack later = _tracks[t];
+            if (!later.IsYoung || _stitcher.Find(_tracks, later) is not { } earlier)
+                continue;
+            earlier.GoOnAs(later);
+            foreach (ref int track in trackOfPoint)
+                track = track == later.Id ? earlier.Id : track;
+            _unused.Push(later);
+            _tracks.RemoveAt(t);
+            TracksFoundAgain++;
+        }
+    }
+
+    private void Miss(MovingTrack track)
+    {
+        bool wasOccluded = track.IsOccluded;
+        track.Miss();
+        TracksOccluded += track.IsOccluded && !wasOccluded ? 1 : 0;
     }
 
     private void Take(MovingTrack track, in ScanPoint point, int index, double detectionProbability)
     {
         double density = track.Likelihood(point.Measurement);
         double likelihood = track.MissProbability + (detectionProbability * density / _otherDensity[track.Class]);
+        bool wasOccluded = track.IsOccluded;
         switch (track.Hit(point, likelihood))
         {
             case TakeResult.Used:
                 PointsUsed++;
+                TracksFoundAgain += wasOccluded && !track.IsOccluded ? 1 : 0;
                 break;
             case TakeResult.Duplicate:
                 PointsTwice++;
@@ -162,7 +198,7 @@ internal sealed class MovingTracker
         }
 
         _trackOfPoint[index] = track.Id;
-        _withoutTrack[track.Class] -= track.Existence;
+        _withoutTrack[track.Class] -= track.Visible;
     }
 
     private void EstimateClutter(in Scan scan)

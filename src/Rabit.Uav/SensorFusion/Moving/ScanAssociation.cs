@@ -57,7 +57,7 @@ internal sealed class ScanAssociation
             _columnOfPoint[p] = -1;
         for (int t = 0; t < tracks.Count; t++)
         {
-            if (!tracks[t].IsTooNew)
+            if (tracks[t].TakesPoints)
                 AddPairs(t, tracks[t], points, detectionProbability, otherDensity[tracks[t].Class]);
         }
 
@@ -74,8 +74,8 @@ internal sealed class ScanAssociation
         ExpectedPlace expected = track.Widest;
         double northNorth = expected.Covariance.NorthNorth;
         double eastEast = expected.Covariance.EastEast;
-        double missed = 1 - (track.Existence * (1 - track.MissProbability));
-        double weight = detectionProbability * track.Existence / (otherDensity * missed);
+        double missed = 1 - (track.Visible * (1 - track.MissProbability));
+        double weight = detectionProbability * track.Visible / (otherDensity * missed);
         for (int p = 0; p < points.Length; p++)
         {
             ref readonly ScanPoint point = ref points[p];

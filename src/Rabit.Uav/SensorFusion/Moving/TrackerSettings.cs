@@ -51,6 +51,39 @@ internal sealed record TrackerSettings
     public double Delete { get; init; } = 0.01;
 
     /// <summary>
+    /// How often a target of an established track goes out of sight behind or under something, per second.
+    /// </summary>
+    public double HidesPerSecond { get; init; } = 0.002;
+
+    /// <summary>How often one that is out of sight comes back into it, per second.</summary>
+    public double AppearsPerSecond { get; init; } = 0.05;
+
+    /// <summary>
+    /// A confirmed track of so many points is established: only such a one may be occluded. Clutter that was confirmed
+    /// has fewer.
+    /// </summary>
+    public int EstablishedPoints { get; init; } = 10;
+
+    /// <summary>A track that is this much likelier out of sight than in it is occluded.</summary>
+    /// <value>A target that is reported with 90 % is missed so often in a row once in 10 000 looks.</value>
+    public double OccludedRatio { get; init; } = 9;
+
+    /// <summary>
+    /// An occluded track that is less certain than this, standard deviation along the worst axis, takes no single
+    /// point, since that may be clutter, but goes on with a track that begins, once that is confirmed.
+    /// </summary>
+    public double MaxSigmaForAPointMetres { get; init; } = 3;
+
+    /// <summary>An occluded track is deleted this long after its last point.</summary>
+    public TimeSpan MaxOccluded { get; init; } = TimeSpan.FromSeconds(30);
+
+    /// <summary>
+    /// An occluded track that is less certain than this, standard deviation along the worst axis, is deleted: it would
+    /// take any point of its class for its target.
+    /// </summary>
+    public double MaxOccludedSigmaMetres { get; init; } = 60;
+
+    /// <summary>
     /// A track that was never confirmed is deleted when it is less likely than at its start by this factor.
     /// </summary>
     public double DeleteTentative { get; init; } = 0.03;

@@ -90,6 +90,28 @@ public class MovingTrackerTests(ITestOutputHelper output)
         Assert.Equal(2, tracker.TracksStarted);
     }
 
+    [Theory]
+    [InlineData(25, 1)]
+    [InlineData(120, 2)]
+    public void Update_TargetSeenWhileAnotherIsHidden_IsTheSameOnlyWhereThatMayBe(double metresAway, int id)
+    {
+        MovingTracker tracker = Tracker();
+        for (int i = 0; i < 12; i++)
+            Look(tracker, i, (i, 0, Walkers, -1));
+        for (int i = 12; i < 27; i++)
+            Look(tracker, i);
+        Assert.True(Assert.Single(tracker.Tracks).IsOccluded);
+        for (int i = 0; i < 4; i++)
+            Look(tracker, 27 + i, (27 + i, metresAway, Walkers, -1));
+
+        MovingTrack seen = Assert.Single(Confirmed(tracker), t => !t.IsOccluded);
+        Assert.Equal(id, seen.Id);
+        Assert.Equal(id == 1 ? 16 : 4, seen.Points);
+        Assert.Equal(id == 1 ? 1 : 0, tracker.TracksFoundAgain);
+        Assert.Equal(1, tracker.TracksOccluded);
+        Assert.Equal(0, tracker.TracksDeleted);
+    }
+
     [Fact]
     public void Update_TwoClassesAtOnePlace_AreTwoTracks()
     {
