@@ -15,10 +15,10 @@ internal sealed class ActivityThread : IDisposable
     private readonly IWaitSignal _signal;
     private readonly RealTimeSetup _realTime;
     private readonly SharedCpus _cpus;
-    private readonly object _changed;   // the engine's; guards the two marks below
+    private readonly object _changed;   // the engine's; pulsed when one of the two marks below is set, for those that wait
     private readonly Action<Exception> _fail;
-    private bool _hasBegun;
-    private bool _hasEnded;
+    private bool _hasBegun;             // written once by the thread, read by the reactor's
+    private bool _hasEnded;             // same
 
     public ActivityThread(
         Activity activity, EngineContext context, IWaitSignal signal, RealTimeSetup realTime, SharedCpus cpus,
@@ -34,10 +34,10 @@ internal sealed class ActivityThread : IDisposable
         _activity.WakeUp.Connect(_signal, _clock);
     }
 
-    /// <summary>Read under the engine's lock.</summary>
+    /// <summary>Once true it stays so. Any thread; who sleeps until then looks under the engine's lock.</summary>
     public bool HasBegun => Volatile.Read(ref _hasBegun);
 
-    /// <summary>Read under the engine's lock.</summary>
+    /// <summary>As <see cref="HasBegun"/>.</summary>
     public bool HasEnded => Volatile.Read(ref _hasEnded);
 
     // A background thread: a manager that hangs is reported, and does not keep the process alive.
