@@ -5,11 +5,32 @@ namespace Rabit.Benchmarks.Core;
 
 /// <summary>
 /// Changing one member and posting the whole. Rabit's post reads the clock for the stamp, unless it is given a time; so
-/// does <see cref="LockWithTime"/>.
+/// do <see cref="HandWrittenWithTime"/> and <see cref="LockWithTime"/>.
 /// </summary>
 public class PostBenchmarks : MessageBenchmarks
 {
+    private readonly SeqlockMessage<VehiclePose> _handWritten = new();
     private VehiclePose _posted;
+
+    [Benchmark(OperationsPerInvoke = Operations)]
+    public void HandWritten() => InManager(() =>
+    {
+        for (int i = 0; i < Operations; i++)
+        {
+            _posted.TimeSeconds++;
+            _handWritten.Post(_posted, 0);
+        }
+    });
+
+    [Benchmark(OperationsPerInvoke = Operations)]
+    public void HandWrittenWithTime() => InManager(() =>
+    {
+        for (int i = 0; i < Operations; i++)
+        {
+            _posted.TimeSeconds++;
+            _handWritten.PostWithTime(_posted);
+        }
+    });
 
     [Benchmark(Baseline = true, OperationsPerInvoke = Operations)]
     public void Lock() => InManager(() =>

@@ -1,10 +1,12 @@
 using System.Threading.Channels;
 using BenchmarkDotNet.Attributes;
+using Rabit.Latency.Throughput;
 
 namespace Rabit.Benchmarks.Core;
 
 /// <summary>
 /// A push and the pop that takes it out, on one thread. Rabit's ends are a manager's and run inside its unit of work.
+/// The hand-written ring neither checks who uses it nor wakes a receiver: the limit.
 /// </summary>
 [GenericTypeArguments(typeof(int))]
 [GenericTypeArguments(typeof(CacheLine))]
@@ -15,6 +17,7 @@ public class QueuePushPopBenchmarks<T>
     private const int PerInvocation = 10_000;
 
     private readonly MonitorQueue<T> _locked = new(Capacity);
+    private readonly SpscRing<T> _ring = new(Capacity);
     private readonly Channel<T> _channel = Channels.Queue<T>(Capacity);
     private readonly PushPopManager<T> _manager = new(Capacity, PerInvocation);
     private VirtualSteps _steps = null!;
@@ -33,6 +36,20 @@ public class QueuePushPopBenchmarks<T>
         for (int i = 0; i < PerInvocation; i++)
         {
             if (_locked.TryPush(value) && _locked.TryPop(out value))
+                popped++;
+        }
+
+        return popped;
+    }
+
+    [Benchmark(OperationsPerInvoke = PerInvocation)]
+    public int HandWritten()
+    {
+        int popped = 0;
+        T value = default;
+        for (int i = 0; i < PerInvocation; i++)
+        {
+            if (_ring.TryPush(value) && _ring.TryPop(out value))
                 popped++;
         }
 

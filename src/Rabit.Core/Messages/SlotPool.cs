@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using System.Runtime.CompilerServices;
 using System.Threading;
 using Rabit.Core.WakeUp;
 
@@ -96,19 +97,27 @@ internal sealed class SlotPool<TSlot, TSync>
     {
         for (int i = 0; i < _tries; i++)
         {
-            LatestSlot found = LatestSlot.Of(default(TSync).VolatileRead(ref latest));
-            TSlot slot = SlotAt(found.Index);
+            long word = default(TSync).VolatileRead(ref latest);
+            TSlot slot = SlotAt(LatestSlot.IndexOf(word));
             value.CopyFrom(slot);
             default(TSync).LoadBarrier();
-            if (default(TSync).VolatileRead(ref slot.Version) == found.Version)
-                return found.Version;
+            int version = LatestSlot.VersionOf(word);
+            if (default(TSync).VolatileRead(ref slot.Version) == version)
+                return version;
         }
 
         return LoadPinned(ref value, ref latest);
     }
 
     /// <summary>The spare to write next: the first that no fetcher reads.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public TSlot Take(SpareSlots spares)
+    {
+        TSlot slot = SlotAt(spares.Next);
+        return default(TSync).VolatileRead(ref slot.Pins) == 0 ? slot : TakeOther(spares);
+    }
+
+    private TSlot TakeOther(SpareSlots spares)
     {
         for (int i = 0; i < spares.Count; i++)
         {
@@ -129,13 +138,12 @@ internal sealed class SlotPool<TSlot, TSync>
         while (true)
         {
             long word = default(TSync).VolatileRead(ref latest);
-            LatestSlot replaced = LatestSlot.Of(word);
-            int version = NextVersion(replaced.Version);
+            int version = NextVersion(LatestSlot.VersionOf(word));
             default(TSync).VolatileWrite(ref slot.Version, version);
-            long next = new LatestSlot(version, spares.Next).Word;
+            long next = LatestSlot.Join(version, spares.Next);
             if (default(TSync).CompareExchange(ref latest, next, word) != word)
                 continue;
-            spares.Replace(replaced.Index);
+            spares.Replace(LatestSlot.IndexOf(word));
             return version;
         }
     }
@@ -149,12 +157,11 @@ internal sealed class SlotPool<TSlot, TSync>
         while (true)
         {
             long word = default(TSync).VolatileRead(ref latest);
-            LatestSlot found = LatestSlot.Of(word);
-            TSlot slot = SlotAt(found.Index);
+            TSlot slot = SlotAt(LatestSlot.IndexOf(word));
             Add(ref slot.Pins, 1);
             if (default(TSync).VolatileRead(ref latest) == word)
             {
-                version = found.Version;
+                version = LatestSlot.VersionOf(word);
                 return slot;
             }
 
@@ -184,7 +191,7 @@ internal sealed class SlotPool<TSlot, TSync>
     // Before a value is written where fetchers may read it optimistically: spoils what they read.
     private static void Spoil(TSlot slot, ref long latest)
     {
-        int version = LatestSlot.Of(default(TSync).VolatileRead(ref latest)).Version;
+        int version = LatestSlot.VersionOf(default(TSync).VolatileRead(ref latest));
         default(TSync).VolatileWrite(ref slot.Version, NextVersion(version));
         default(TSync).StoreBarrier();
     }
@@ -192,10 +199,10 @@ internal sealed class SlotPool<TSlot, TSync>
     // By the only poster, where no fences are demanded.
     private static int PublishAlone(SpareSlots spares, ref long latest)
     {
-        LatestSlot replaced = LatestSlot.Of(default(TSync).VolatileRead(ref latest));
-        int version = NextVersion(replaced.Version);   // as Spoil wrote it: no other poster has posted since
-        default(TSync).VolatileWrite(ref latest, new LatestSlot(version, spares.Next).Word);
-        spares.Replace(replaced.Index);
+        long replaced = default(TSync).VolatileRead(ref latest);
+        int version = NextVersion(LatestSlot.VersionOf(replaced));   // as Spoil wrote it: there is no other poster
+        default(TSync).VolatileWrite(ref latest, LatestSlot.Join(version, spares.Next));
+        spares.Replace(LatestSlot.IndexOf(replaced));
         return version;
     }
 

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using System.Threading;
 
 namespace Rabit.Core.Messages;
@@ -11,17 +12,17 @@ namespace Rabit.Core.Messages;
 /// <param name="isOutside">Whether only its documentation holds the poster to one thread.</param>
 internal sealed class SpareSlots(IEnumerable<int> indices, bool isOutside)
 {
-    private readonly List<int> _indices = [.. indices];
+    private int[] _indices = [.. indices];
     private int _next;
     private int _isInUse;   // of a poster outside managers
 
-    public int Count => _indices.Count;
+    public int Count => _indices.Length;
 
     /// <summary>The slot whose turn it is.</summary>
     public int Next => _indices[_next];
 
     /// <summary>Leaves out one that cannot be written yet.</summary>
-    public void Skip() => _next = _next + 1 == _indices.Count ? 0 : _next + 1;
+    public void Skip() => _next = _next + 1 == _indices.Length ? 0 : _next + 1;
 
     /// <summary>Exchanges the slot whose turn it was for one that is not the latest any more.</summary>
     public void Replace(int index)
@@ -31,7 +32,7 @@ internal sealed class SpareSlots(IEnumerable<int> indices, bool isOutside)
     }
 
     /// <summary>One more slot, whose turn it is.</summary>
-    public void Add(int index) => _indices.Insert(_next, index);
+    public void Add(int index) => _indices = [.. _indices.Take(_next), index, .. _indices.Skip(_next)];
 
     /// <returns>False when another thread is just posting through the same endpoint.</returns>
     public bool TryEnter() => !isOutside || Interlocked.Exchange(ref _isInUse, 1) == 0;

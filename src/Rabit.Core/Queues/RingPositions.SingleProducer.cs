@@ -36,7 +36,7 @@ internal partial struct RingPositions
         where TSync : struct, ISyncPoints
     {
         position = default(TSync).Read(ref _tail);
-        return unchecked(position - default(TSync).VolatileRead(ref _seenHead) + wanted)
+        return unchecked(position - default(TSync).Read(ref _seenHead) + wanted)
             <= default(TSync).VolatileRead(ref _fastPathLimit)
                 ? wanted
                 : FindSlow<TSync>(wanted, capacity, position);
@@ -121,7 +121,8 @@ internal partial struct RingPositions
         where TSync : struct, ISyncPoints
     {
         int fastPathLimit = default(TSync).VolatileRead(ref _fastPathLimit);
-        int head = LookAtHead<TSync>();
+        int head = default(TSync).VolatileRead(ref _head);
+        default(TSync).Write(ref _seenHead, head);   // the sender's alone: it needs no compare-and-swap
         int resident = unchecked(tail - head);
         int count = IsClosed<TSync>() ? 0 : Math.Min(wanted, capacity - resident);
         if (count < wanted)

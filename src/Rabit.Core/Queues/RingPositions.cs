@@ -29,8 +29,8 @@ internal partial struct RingPositions
     [FieldOffset(Apart)]
     private int _tail;
 
-    // Where the head was when a sender last looked; it may have moved on. Written by senders, by compare-and-swap, and
-    // only forward.
+    // Where the head was when a sender last looked; it may have moved on. Written by senders, only forward: by many by
+    // compare-and-swap.
     [FieldOffset(Apart + 4)]
     private int _seenHead;
 

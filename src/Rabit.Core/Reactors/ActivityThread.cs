@@ -15,7 +15,7 @@ internal sealed class ActivityThread : IDisposable
     private readonly IWaitSignal _signal;
     private readonly RealTimeSetup _realTime;
     private readonly SharedCpus _cpus;
-    private readonly object _changed;   // the engine's; pulsed when one of the two marks below is set, for those that wait
+    private readonly object _changed;   // the engine's; pulsed when one of the two marks below is set
     private readonly Action<Exception> _fail;
     private bool _hasBegun;             // written once by the thread, read by the reactor's
     private bool _hasEnded;             // same

@@ -98,8 +98,8 @@ internal sealed class ThreadEngine(EngineContext context, WaitEngine waitEngine)
         return thread.HasEnded;
     }
 
-    // Most threads begin and end within microseconds, one after the other: to sleep for each would take most of the time
-    // of a start and of a stop. Where there is one CPU the thread needs it.
+    // Most threads begin and end within microseconds, one after the other: to sleep for each would take most of a start
+    // and of a stop. Where there is one CPU the thread needs it.
     private static bool BecomesTrueSoon(Func<bool> mark)
     {
         for (int looks = Environment.ProcessorCount > 1 ? LooksBeforeSleep : 0; looks > 0; looks--)

@@ -20,7 +20,7 @@ internal sealed class FaultySlots(SlotScenario scenario, SeededSlotFault fault) 
         bool isPlain = scenario is { IsAlone: true, Tries: > 0 }
             && (fault == SeededSlotFault.DemandIgnored || Sync.VolatileRead(ref _demanded) == 0);
         TwoWords slot = Take(spares);
-        int version = LatestSlot.Of(Sync.VolatileRead(ref _latest)).Version + 1;
+        int version = LatestSlot.VersionOf(Sync.VolatileRead(ref _latest)) + 1;
         if (fault != SeededSlotFault.VersionAfterTheValue)
             Spoil(slot, version);
         new TwoWordsCopier(value).CopyTo(slot);
@@ -65,16 +65,15 @@ internal sealed class FaultySlots(SlotScenario scenario, SeededSlotFault fault) 
         while (true)
         {
             long word = Sync.VolatileRead(ref _latest);
-            LatestSlot replaced = LatestSlot.Of(word);
-            int version = replaced.Version + 1;
+            int version = LatestSlot.VersionOf(word) + 1;
             if (!isPlain)
                 Sync.VolatileWrite(ref slot.Version, version);
-            long next = new LatestSlot(version, spares.Next).Word;
+            long next = LatestSlot.Join(version, spares.Next);
             if (isPlain)
                 Sync.VolatileWrite(ref _latest, next);
             else if (Sync.CompareExchange(ref _latest, next, word) != word)
                 continue;
-            spares.Replace(replaced.Index);
+            spares.Replace(LatestSlot.IndexOf(word));
             return version;
         }
     }
@@ -83,14 +82,15 @@ internal sealed class FaultySlots(SlotScenario scenario, SeededSlotFault fault) 
     {
         for (int i = 0; i < scenario.Tries; i++)
         {
-            LatestSlot found = LatestSlot.Of(Sync.VolatileRead(ref _latest));
-            copier.CopyFrom(_slots[found.Index]);
+            long word = Sync.VolatileRead(ref _latest);
+            TwoWords slot = _slots[LatestSlot.IndexOf(word)];
+            copier.CopyFrom(slot);
             if (fault != SeededSlotFault.NoLoadBarrier)
                 Sync.LoadBarrier();
             int version = fault == SeededSlotFault.NoLoadBarrier
-                ? Sync.Read(ref _slots[found.Index].Version)
-                : Sync.VolatileRead(ref _slots[found.Index].Version);
-            if (version == found.Version)
+                ? Sync.Read(ref slot.Version)
+                : Sync.VolatileRead(ref slot.Version);
+            if (version == LatestSlot.VersionOf(word))
                 return version;
         }
 
@@ -113,8 +113,7 @@ internal sealed class FaultySlots(SlotScenario scenario, SeededSlotFault fault) 
         while (true)
         {
             long word = Sync.VolatileRead(ref _latest);
-            LatestSlot found = LatestSlot.Of(word);
-            TwoWords slot = _slots[found.Index];
+            TwoWords slot = _slots[LatestSlot.IndexOf(word)];
             bool isLatest = fault == SeededSlotFault.RecheckBeforeThePin && Sync.VolatileRead(ref _latest) == word;
             Add(ref slot.Pins, 1);
             if (fault != SeededSlotFault.RecheckBeforeThePin)
@@ -126,7 +125,7 @@ internal sealed class FaultySlots(SlotScenario scenario, SeededSlotFault fault) 
                 continue;
             if (fault == SeededSlotFault.UnpinBeforeTheCopy)
                 copier.CopyFrom(slot);
-            return found.Version;
+            return LatestSlot.VersionOf(word);
         }
     }
 
