@@ -13,14 +13,14 @@ internal sealed class PatchColour
     public const double MinSaturation = 0.3;
 
     // One standard deviation.
-    private const double HueSigmaDegrees = 5;
-    private const double SaturationSigma = 0.17;
+    private const double HueSigmaDegrees = 6;
+    private const double SaturationSigma = 0.11;
     private const double FullSaturation = 0.92;
 
     // White is twice as bright as ground by the curve of sRGB, which is five times the light.
     private const double FullContrast = 1.9;
     private const double ContrastSigma = 0.15;
-    private const double NeutralSigma = 0.08;
+    private const double NeutralSigma = 0.055;
 
     private const double FullBrightness = 1.15;
     private const double BrightnessSigma = 0.15;

@@ -61,5 +61,11 @@ public struct PatchShape
     public double GroundNoise { get; set; }
 
     /// <summary>Whether the border of the picture may cut a part of it off.</summary>
-    public bool TouchesBorder { get; set; }
+    public readonly bool TouchesBorder => CutLength > 0;
+
+    /// <summary>
+    /// How much of the border of the picture it covers, pixels: what is only touched by a corner goes on hardly at all
+    /// beyond it.
+    /// </summary>
+    public double CutLength { get; set; }
 }

@@ -60,7 +60,8 @@ public sealed class PatchTable
 
     /// <summary>
     /// How unlike the colour of a patch is to one of the table, as the sum of two squared deviations: 0 for the same,
-    /// up to about 4 in its usual light. What the blur of the lens mixes in of the ground is taken out first.
+    /// up to about 4 in its usual light. The veil of haze, and what the blur of the lens mixes in of the ground, are
+    /// taken out first.
     /// </summary>
     /// <param name="shape">What was measured of the patch.</param>
     /// <param name="index">The colour.</param>
@@ -75,13 +76,9 @@ public sealed class PatchTable
         if (colour.IsNeutral)
             return colour.NeutralCost(shape, light.Level);
         double least = double.PositiveInfinity;
-        double usual = 0.1 + (1 / Math.Sqrt(shape.Area));
-        for (double part = 0; part < 0.65; part += 0.1)
+        for (double veil = 0; veil <= 1; veil += 0.5)
         {
-            double cost = colour.Cost(
-                Math.Max(0, shape.Red - (part * shape.GroundRed)),
-                Math.Max(0, shape.Green - (part * shape.GroundGreen)),
-                Math.Max(0, shape.Blue - (part * shape.GroundBlue))) + (part / usual * (part / usual));
+            double cost = CostWithoutVeil(colour, shape, light, veil, least, out double part);
             if (cost < least)
                 (least, mixed) = (cost, part);
         }
@@ -93,6 +90,10 @@ public sealed class PatchTable
     /// <param name="index">The colour.</param>
     public bool IsNeutral(int index) => _colours[index].IsNeutral;
 
+    /// <summary>Whether a colour is white.</summary>
+    /// <param name="index">The colour.</param>
+    public bool IsWhite(int index) => index + 1 == White;
+
     /// <summary>How much darker against the ground a patch is than one of its colour should be, squared.</summary>
     /// <param name="shape">What was measured of the patch.</param>
     /// <param name="index">The colour; 0 for white and black.</param>
@@ -100,6 +101,28 @@ public sealed class PatchTable
     {
         double off = _colours[index].IsNeutral ? 0 : _colours[index].Darkness(shape);
         return off * off;
+    }
+
+    // How much blur mixes in costs by itself: from where that alone is more than the least on, nothing is left to try.
+    private static double CostWithoutVeil(
+        PatchColour colour, in PatchShape shape, PictureLight light, double veil, double least, out double mixed)
+    {
+        mixed = 0;
+        double usual = 0.1 + (1 / Math.Sqrt(shape.Area));
+        (double red, double green, double blue) = light.Unveil(shape.Red, shape.Green, shape.Blue, veil);
+        (double groundRed, double groundGreen, double groundBlue) =
+            light.Unveil(shape.GroundRed, shape.GroundGreen, shape.GroundBlue, veil);
+        for (double part = 0; part < 0.65 && part / usual * (part / usual) < least; part += 0.1)
+        {
+            double cost = colour.Cost(
+                Math.Max(0, red - (part * groundRed)),
+                Math.Max(0, green - (part * groundGreen)),
+                Math.Max(0, blue - (part * groundBlue))) + (part / usual * (part / usual));
+            if (cost < least)
+                (least, mixed) = (cost, part);
+        }
+
+        return least;
     }
 
     private static double Middle(int index) => ((index & ((1 << Bits) - 1)) << (8 - Bits)) + 3.5;

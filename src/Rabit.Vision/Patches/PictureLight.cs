@@ -3,8 +3,8 @@ using System;
 namespace Rabit.Vision;
 
 /// <summary>
-/// The light of a picture: how bright the ground is in each of its tiles, and the tint of all of it, which is undone.
-/// Measured on one pixel of 16. For one thread; allocates nothing.
+/// The light of a picture: how bright the ground is in each of its tiles, the tint of all of it, and the veil of haze
+/// and stray light over it, which are undone. Measured on one pixel of 16. For one thread; allocates nothing.
 /// </summary>
 public sealed class PictureLight
 {
@@ -22,6 +22,12 @@ public sealed class PictureLight
     // A tile that is brighter is filled by one bright thing: its ground is taken to be like the rest.
     private const double MaxTileLevel = 1.5;
 
+    // The darkest of the pixels, a five hundredth, are deep shade: about half of what comes from there is haze. More
+    // than so much light is none, but ground without anything dark.
+    private const int DarkestPart = 500;
+    private const double VeilInShade = 0.5;
+    private const double MaxVeil = 0.06;
+
     private readonly int[] _tile = new int[256];
     private readonly int[] _red = new int[256];
     private readonly int[] _green = new int[256];
@@ -35,6 +41,15 @@ public sealed class PictureLight
 
     /// <summary>What blue is to be multiplied by.</summary>
     public double BlueGain { get; private set; } = 1;
+
+    /// <summary>What haze adds to red all over the picture: light, 1 for the brightest that it can show.</summary>
+    public double RedVeil { get; private set; }
+
+    /// <summary>What haze adds to green, as <see cref="RedVeil"/>.</summary>
+    public double GreenVeil { get; private set; }
+
+    /// <summary>What haze adds to blue, as <see cref="RedVeil"/>.</summary>
+    public double BlueVeil { get; private set; }
 
     /// <summary>Median of the brightness of all the picture, 0 to 255.</summary>
     public int Level { get; private set; }
@@ -60,6 +75,7 @@ public sealed class PictureLight
             _levels[tile] = (byte)Math.Min(_levels[tile], MaxTileLevel * Level);
         RedGain = Math.Min(Math.Max(red / green, MinRed), MaxRed) / (red / green);
         BlueGain = Math.Min(Math.Max(blue / green, MinBlue), MaxBlue) / (blue / green);
+        (RedVeil, GreenVeil, BlueVeil) = (VeilOf(_red, RedGain), VeilOf(_green, 1), VeilOf(_blue, BlueGain));
     }
 
     /// <summary>The median of the brightness in the tile of a pixel, 0 to 255.</summary>
@@ -70,13 +86,26 @@ public sealed class PictureLight
 
     internal int LevelOfTile(int across, int down) => _levels[(down * Tiles) + across];
 
-    private static int Median(int[] histogram)
+    /// <summary>A colour of the picture, with its tint undone, without that part of the veil; levels.</summary>
+    internal (double Red, double Green, double Blue) Unveil(double red, double green, double blue, double part)
+        => (Unveil(red, part * RedVeil), Unveil(green, part * GreenVeil), Unveil(blue, part * BlueVeil));
+
+    private static double Unveil(double level, double veil)
+        => veil == 0 ? level : LinearLight.ToLevel(LinearLight.Of(level) - veil);
+
+    private static int Median(int[] histogram) => LevelOfPart(histogram, 2);
+
+    private static double VeilOf(int[] histogram, double gain)
+        => Math.Min(MaxVeil, VeilInShade * LinearLight.Of(gain * LevelOfPart(histogram, DarkestPart)));
+
+    // The level that one of so many pixels do not exceed.
+    private static int LevelOfPart(int[] histogram, int part)
     {
-        int all = 0;
+        long all = 0;
         foreach (int count in histogram)
             all += count;
-        (int sum, int value) = (0, 0);
-        while (value < 255 && 2 * (sum += histogram[value]) < all)
+        (long sum, int value) = (0, 0);
+        while (value < 255 && part * (sum += histogram[value]) < all)
             value++;
         return value;
     }

@@ -43,8 +43,41 @@ public class PatchTests
     }
 
     [Fact]
-    public void TryMeasure_AtTheBorder_SaysSo()
-        => Assert.True(MeasureOnly(Paint(205, 28, 32, left: 0, top: 15, columns: 6, rows: 8), 0).TouchesBorder);
+    public void TryMeasure_AtTheBorder_SaysHowMuchOfItTheBorderCuts()
+    {
+        PatchShape shape = MeasureOnly(Paint(205, 28, 32, left: 0, top: 15, columns: 6, rows: 8), 0);
+        Assert.True(shape.TouchesBorder);
+        Assert.Equal(8, shape.CutLength);
+    }
+
+    [Theory]
+    [InlineData(242, 112, 18, 1)]
+    [InlineData(205, 28, 32, 0)]
+    public void CostOf_InHaze_IsThatWithoutIt(byte red, byte green, byte blue, int colour)
+    {
+        byte[] picture = Paint(red, green, blue, left: 20, top: 15, columns: 10, rows: 8);
+        Paint(picture, 8, 10, 7, left: 40, top: 30, columns: 20, rows: 10);
+        double clear = Table.CostOf(MeasureOnly(picture, colour), colour, _light, out _);
+        Assert.InRange(_light.GreenVeil, 0, 0.002);
+        for (int at = 0; at < picture.Length; at++)
+            picture[at] = (byte)LinearLight.ToLevel(LinearLight.Of(picture[at]) + 0.045);
+        PatchShape shape = MeasureOnly(picture, colour);
+        Assert.InRange(_light.GreenVeil, 0.02, 0.03);
+        double hazy = Table.CostOf(shape, colour, _light, out _);
+        _light.Measure(Paint(0, 0, 0, left: 0, top: 0, columns: Width, rows: Height), Width, Height);
+        Assert.Equal(0, _light.GreenVeil);
+        Assert.InRange(hazy, clear, 0.5 * Table.CostOf(shape, colour, _light, out _));
+    }
+
+    [Fact]
+    public void TryLook_BlurredEdge_ColourIsThatOfTheMiddle()
+    {
+        byte[] picture = Paint(150, 60, 50, left: 20, top: 15, columns: 8, rows: 8);
+        Paint(picture, 180, 40, 40, left: 21, top: 16, columns: 6, rows: 6);
+        Paint(picture, 205, 28, 32, left: 22, top: 17, columns: 4, rows: 4);
+        PatchShape shape = MeasureOnly(picture, 0);
+        Assert.Equal((205, 28, 32), ((int)shape.Red, (int)shape.Green, (int)shape.Blue));
+    }
 
     [Fact]
     public void TryMeasure_PartsWithAGap_AreOneThing()

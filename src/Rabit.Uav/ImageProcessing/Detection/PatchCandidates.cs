@@ -21,6 +21,10 @@ internal sealed class PatchCandidates
     private const double MuchLargerOfFew = 1.45;
     private const double FewPixels = 42;
 
+    // A group of parts that is a target as a whole, although less like one than one of its parts alone is.
+    private const double MuchCostlier = 9;
+    private const double MuchLargerGroup = 1.2;
+
     private readonly PatchCandidate[] _all = new PatchCandidate[Max];
     private readonly int[] _order = new int[Max];
     private readonly int[] _chosen = new int[Max];
@@ -79,8 +83,8 @@ internal sealed class PatchCandidates
     }
 
     private static bool IsGroup(in PatchCandidate other, in PatchCandidate candidate)
-        => other.Parts > 1 && other.Cost <= Math.Min(MaxCost, candidate.Cost + 4)
-            && other.Shape.Area > 1.3 * candidate.Shape.Area;
+        => other.Parts > 1 && other.Cost <= Math.Min(MaxCost, candidate.Cost + MuchCostlier)
+            && other.Shape.Area > MuchLargerGroup * candidate.Shape.Area;
 
     private static bool IsWhole(in PatchCandidate other, in PatchCandidate candidate)
         => candidate.IsStrong && !other.IsStrong && other.Parts == 1

@@ -11,8 +11,20 @@ namespace Rabit.Uav.ImageProcessing;
 /// </summary>
 internal static class PatchCost
 {
-    // The light of a pixel comes from its whole square, and the lens blurs it by about 0.9 px, in colour too.
-    private const double BlurVariance = (1.0 / 12) + 0.85;
+    /// <summary>
+    /// Square pixels: the light of a pixel comes from its whole square, and the lens blurs it by about 0.9 px, in
+    /// colour too.
+    /// </summary>
+    public const double BlurVariance = (1.0 / 12) + 0.85;
+
+    // What covers half a side of it at the border of the picture may go on beyond; at half of a target seen, its side
+    // is smaller by 0.35 (natural logarithm), and rarely by more.
+    private const double FullCut = 0.5;
+    private const double CutSizeSigma = 0.2;
+    private const double CutAspectSigma = 0.3;
+
+    // Whatever is large, a roof or a pool, gives pieces of any size at the border.
+    private const double CutPrior = 3;
 
     // A filled rectangle of area A has sigma_long * sigma_short = A / 12.
     private const double RectangleFactor = 12;
@@ -27,21 +39,21 @@ internal static class PatchCost
         (double longWhole, double shortWhole) = SpreadMetres(shape, scale, 0);
         double fill = shape.Area * scale.PixelArea / (RectangleFactor * longWhole * shortWhole);
         double other = 1 - target.MinColourShare;
-        double slack = shape.TouchesBorder ? 0.4 : 0;
+        double cut = Math.Min(1, shape.CutLength / (FullCut * root));
         double logSide = Math.Log(side);
         (double logMin, double logMax) = (Math.Log(target.MinSideMetres), Math.Log(target.MaxSideMetres));
         double sizeSigma = colour.IsNeutral ? 0.03 + (0.1 / root) : 0.06 + (0.5 / root);
-        double cost = Square(Outside(logSide, logMin - slack, logMax) / sizeSigma);
-        if (shape.TouchesBorder)
-            cost -= 2 * Math.Log(Math.Min(1, Math.Max(0.1, (logMax - logSide) / (logMax - logMin))));
-        cost += Square(Outside(
-            Math.Log(aspect), Math.Log(target.MinAspect) - slack, Math.Log(target.MaxAspect) + slack)
-            / (0.06 + (0.8 / root)));
+        double cost = Square(Outside(logSide, logMin, logMax))
+            / (Square(sizeSigma) + (logSide < logMin ? Square(CutSizeSigma * cut) : 0));
+        double rest = Math.Min(1, Math.Max(0.1, (logMax - logSide) / (logMax - logMin)));
+        cost += cut * (CutPrior - (2 * Math.Log(rest)));
+        cost += Square(Outside(Math.Log(aspect), Math.Log(target.MinAspect), Math.Log(target.MaxAspect)))
+            / (Square(0.06 + (0.8 / root)) + Square(CutAspectSigma * cut));
         cost += Square((logSide - ((logMin + logMax) / 2)) / (logMax - logMin));
         cost += Square(Math.Log(aspect / Math.Sqrt(target.MinAspect * target.MaxAspect))
             / Math.Log(target.MaxAspect / target.MinAspect));
         cost += Square(Outside(fill, 0.84 - (0.4 * other), 1.08) / 0.1);
-        cost += Square(Math.Max(0, shape.Outline - 1.3 - (2 * other)) / 0.15);
+        cost += Square(Math.Max(0, shape.Outline - 1.3 - (3 * other)) / 0.15);
         cost += Square(shape.Continuation / 0.1);
         cost += Square(Math.Max(0, shape.Unevenness - 0.15 - (0.2 * other)) / 0.08);
         cost += Square(Math.Max(0, shape.GroundNoise - (colour.IsNeutral ? 0.15 : 0.1)) / 0.08);

@@ -7,24 +7,37 @@ namespace Rabit.Uav.ImageProcessing;
 internal static class PatchCovariance
 {
     // What no picture is without: the edge by the curve of the light, the steps of the levels, JPEG.
-    private const double BaseSigma = 0.08;
+    private const double BaseSigma = 0.07;
 
     // A form that is not seen whole, shade over a part of it, windows: parts of the side.
     private const double FormSigma = 0.012;
-    private const double PartsSigma = 0.025;
+    private const double PartsSigma = 0.022;
     private const double CutSigma = 0.03;
 
-    // Ground that is not even counts as covered here and there, all around the edge.
-    private const double NoiseGain = 1.5;
+    // What is more than twice as long as wide ends in parts of another colour, as a person does in head and boots: of
+    // its standard deviation along its length.
+    private const double EndSigma = 0.11;
+    private const double MaxPlainAspect = 2;
 
-    public static PixelCovariance Of(in PatchCandidate candidate, bool hasParts)
+    // Ground that is not even counts as covered here and there, all around the edge.
+    private const double NoiseGain = 1.35;
+
+    public static PixelCovariance Of(in PatchShape shape, bool hasParts)
     {
-        ref readonly PatchShape shape = ref candidate.Shape;
         double side = Math.Sqrt(shape.Area);
         double form = side * (shape.TouchesBorder ? CutSigma : hasParts ? PartsSigma : FormSigma);
         double own = (BaseSigma * BaseSigma) + (form * form);
         double noise = NoiseGain * shape.GroundNoise * shape.GroundNoise / side;
+        double mean = (shape.MomentXX + shape.MomentYY) / 2;
+        double off = (shape.MomentXX - shape.MomentYY) / 2;
+        double half = Math.Sqrt((off * off) + (shape.MomentXY * shape.MomentXY));
+        double least = mean - half;
+        double aspect = Math.Sqrt((mean + half - PatchCost.BlurVariance)
+            / Math.Max(0.2, least - PatchCost.BlurVariance));
+        double ends = EndSigma * EndSigma * Math.Min(1, Math.Max(0, aspect - MaxPlainAspect));
         return new PixelCovariance(
-            own + (noise * shape.MomentXX), noise * shape.MomentXY, own + (noise * shape.MomentYY));
+            own + (noise * shape.MomentXX) + (ends * (shape.MomentXX - least)),
+            (noise + ends) * shape.MomentXY,
+            own + (noise * shape.MomentYY) + (ends * (shape.MomentYY - least)));
     }
 }

@@ -78,6 +78,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
     private readonly PatchMeasure _measure = new();
     private readonly PatchGroups _groups = new();
     private readonly PatchCandidates _candidates = new();
+    private readonly WhiteReference _white = new();
     private readonly Patch[] _viable = new Patch[MaxViable];
     private readonly bool[] _isGrouped = new bool[MaxViable];
     private byte[] _copy = [];
@@ -126,6 +127,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
             return DetectorResult.NotSearched(ColourTargetDetector.TooManySpots);
         _measure.SetPicture(pixels, input.Width, input.Height, _finder, _light);
         _candidates.Clear();
+        _white.Clear(_light.Level);
         Array.Clear(_isGrouped, 0, count);
         for (int i = 0; i < count; i++)
             Consider(_viable.AsSpan(0, count), i, input.GroundScale);
@@ -223,6 +225,8 @@ public sealed class ShapeTargetDetector : ITargetDetector
                 (best.Cost, best.Class, best.SideMetres) = (cost, i, side);
         }
 
+        if (_table.IsWhite(best.Colour))
+            _white.Add(shape, best.Cost);
         _candidates.Add(best);
     }
 
@@ -231,9 +235,11 @@ public sealed class ShapeTargetDetector : ITargetDetector
         (int count, int dropped) = (0, 0);
         for (int rank = 0; rank < _candidates.Count && _candidates[rank].Cost <= PatchCandidates.MaxCost; rank++)
         {
-            ref readonly PatchCandidate candidate = ref _candidates[rank];
-            if (_candidates.IsPiece(candidate) || !_candidates.TryChoose(rank)
-                || !IsWanted(_classes[candidate.Class], input.Classes))
+            PatchCandidate candidate = _candidates[rank];
+            if (_table.IsWhite(candidate.Colour))
+                candidate.Cost += _white.DarknessOf(candidate.Shape);
+            if (candidate.Cost > PatchCandidates.MaxCost || _candidates.IsPiece(candidate)
+                || !_candidates.TryChoose(rank) || !IsWanted(_classes[candidate.Class], input.Classes))
                 continue;
             if (count == detections.Length)
                 dropped++;
@@ -254,7 +260,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
         SideMetres = candidate.SideMetres,
         Bearing = PatchBearing.Of(candidate.Shape, _classes[candidate.Class], ground),
         Score = 1 / (1 + Math.Exp((candidate.Cost - PatchCandidates.MaxCost) / CostScale)),
-        Covariance = PatchCovariance.Of(candidate, _classes[candidate.Class].MinColourShare < 1),
+        Covariance = PatchCovariance.Of(candidate.Shape, _classes[candidate.Class].MinColourShare < 1),
     };
 
     private static bool IsWanted(TargetClass target, ImmutableArray<TargetClass> wanted)

@@ -1,0 +1,117 @@
+using System;
+
+namespace Rabit.Vision;
+
+/// <summary>The colours of a patch and of the ground right around it.</summary>
+internal sealed class PatchSamples(PatchMap map)
+{
+    // Of a patch without an inner pixel, those that are covered most show its colour best.
+    private const double NearlyFull = 0.8;
+
+    private readonly PatchMap _map = map;
+    private readonly int[] _red = new int[256];
+    private readonly int[] _green = new int[256];
+    private readonly int[] _blue = new int[256];
+    private byte[] _pixels = [];
+
+    public void SetPicture(byte[] pixels) => _pixels = pixels;
+
+    /// <summary>The median, so that a second thing beside it, a shadow or a road's line does not count.</summary>
+    public MeanColour Ground()
+    {
+        Array.Clear(_red, 0, 256);
+        Array.Clear(_green, 0, 256);
+        Array.Clear(_blue, 0, 256);
+        int count = 0;
+        for (int row = 0; row < _map.Rows; row++)
+        {
+            for (int column = 0; column < _map.Columns; column++)
+            {
+                if (_map.Cells[(row * _map.Columns) + column] is not (> PatchMap.EdgeReach and <= PatchMap.GroundReach))
+                    continue;
+                int at = _map.PixelAt(column, row);
+                _red[_pixels[at]]++;
+                _green[_pixels[at + 1]]++;
+                _blue[_pixels[at + 2]]++;
+                count++;
+            }
+        }
+
+        return new MeanColour { Red = Median(_red, count), Green = Median(_green, count), Blue = Median(_blue, count) };
+    }
+
+    /// <summary>
+    /// The mean of the pixels that have only such around them; where it is too thin for that, of those furthest from
+    /// the ground.
+    /// </summary>
+    /// <param name="ground">Around it.</param>
+    /// <param name="pure">The same where the blur does not reach, if there is such.</param>
+    public MeanColour Inside(in MeanColour ground, out MeanColour pure)
+    {
+        MeanColour core = default;
+        MeanColour inner = default;
+        MeanColour all = default;
+        for (int row = 1; row < _map.Rows - 1; row++)
+        {
+            for (int column = 1; column < _map.Columns - 1; column++)
+            {
+                int at = (row * _map.Columns) + column;
+                if (_map.Cells[at] != 0)
+                    continue;
+                int pixel = _map.PixelAt(column, row);
+                all.Add(_pixels, pixel);
+                if (!_map.IsInner(at))
+                    continue;
+                inner.Add(_pixels, pixel);
+                if (_map.IsCore(at))
+                    core.Add(_pixels, pixel);
+            }
+        }
+
+        if (inner.Count >= 4)
+        {
+            MeanColour full = inner.Mean();
+            pure = core.Count >= 4 ? core.Mean() : full;
+            return full;
+        }
+
+        MeanColour mean = all.Mean();
+        (double red, double green, double blue) =
+            (mean.Red - ground.Red, mean.Green - ground.Green, mean.Blue - ground.Blue);
+        double most = Strongest(ground, red, green, blue, double.PositiveInfinity, out _);
+        Strongest(ground, red, green, blue, NearlyFull * most, out MeanColour best);
+        pure = best.Count > 0 ? best.Mean() : mean;
+        return pure;
+    }
+
+    private double Strongest(
+        in MeanColour ground, double red, double green, double blue, double from, out MeanColour mean)
+    {
+        double most = 0;
+        mean = default;
+        for (int row = 0; row < _map.Rows; row++)
+        {
+            for (int column = 0; column < _map.Columns; column++)
+            {
+                if (_map.Cells[(row * _map.Columns) + column] != 0)
+                    continue;
+                int at = _map.PixelAt(column, row);
+                double along = ((_pixels[at] - ground.Red) * red) + ((_pixels[at + 1] - ground.Green) * green)
+                    + ((_pixels[at + 2] - ground.Blue) * blue);
+                most = Math.Max(most, along);
+                if (along >= from)
+                    mean.Add(_pixels, at);
+            }
+        }
+
+        return most;
+    }
+
+    private static int Median(int[] histogram, int all)
+    {
+        (int sum, int value) = (0, 0);
+        while (value < 255 && 2 * (sum += histogram[value]) < all)
+            value++;
+        return value;
+    }
+}
