@@ -47,6 +47,12 @@ public sealed class SimulatedWorld
             .Select(t => t.At(
                 NedPosition.Origin + Frame.ToWorld(shared.PositionOf(t.Position)) with { Down = 0 }, switchedOnAt))
             .ToArray();
+        Occluders = shared.Occluders
+            .Select(o => o with
+            {
+                Position = NedPosition.Origin + Frame.ToWorld(shared.PositionOf(o.Position)) with { Down = 0 },
+            })
+            .ToArray();
     }
 
     /// <summary>Makes the world; nothing moves yet.</summary>
@@ -60,10 +66,15 @@ public sealed class SimulatedWorld
             unchecked((ulong)Options.Seed), Options.Area, Options.TargetCount, Options.DistractorCount,
             Options.TargetKinds, Options.PartlyHiddenCount)
             .Select(WithMotion).ToArray();
+        Occluders = Options.Occluders.Concat(OccluderField.Place(
+            unchecked((ulong)Options.Seed), Options.Area, Things, Options.OccluderCount)).ToArray();
     }
 
     /// <summary>The targets.</summary>
     public IEnumerable<SimulatedTarget> Targets => Things.Where(t => !t.IsDistractor);
+
+    /// <summary>Trees and roofs, those that were asked for and those of the seed.</summary>
+    public IReadOnlyList<SimulatedOccluder> Occluders { get; }
 
     /// <summary>The camera's pinhole and lens.</summary>
     public CameraModel CameraModel => Options.Camera.Camera;
@@ -120,7 +131,10 @@ public sealed class SimulatedWorld
     /// Makes the camera of the vehicle, as the source of a reader in the same reactor or in one with the same clock.
     /// </summary>
     public SimulatedCamera CreateCamera()
-        => new(Options.Camera.With(Options.Faults), History, Things, unchecked((ulong)Options.Seed), Options.Faults);
+        => new(
+            Options.Camera.With(Options.Faults), History,
+            Things.Concat(Occluders.Select((o, i) => OccluderField.SheetOf(o, i, unchecked((ulong)Options.Seed)))),
+            unchecked((ulong)Options.Seed), Options.Faults);
 
     /// <summary>The companion computer, for <see cref="UavOptions.Computer"/>.</summary>
     public SimulatedComputer CreateComputer() => new(Options.Faults);

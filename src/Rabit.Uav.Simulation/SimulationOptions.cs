@@ -115,6 +115,17 @@ public sealed class SimulationOptions
     /// <value>The default is 0.</value>
     public int PartlyHiddenCount { get; set; }
 
+    /// <summary>Trees and roofs that hide what is below them from the camera.</summary>
+    /// <value>The default is none.</value>
+    public IReadOnlyList<SimulatedOccluder> Occluders { get; set; } = Array.Empty<SimulatedOccluder>();
+
+    /// <summary>
+    /// How many more of them stand over the ways of the targets that move, in turn, by the seed; in a world in which
+    /// none moves anywhere in <see cref="Area"/>. They hide no target that stands; what finds no place is left out.
+    /// </summary>
+    /// <value>The default is 0.</value>
+    public int OccluderCount { get; set; }
+
     /// <summary>How the first targets move, in their order; those without one stand.</summary>
     /// <value>The default is none: all stand.</value>
     public IReadOnlyList<SimulatedMotion> Motions { get; set; } = Array.Empty<SimulatedMotion>();
@@ -197,6 +208,7 @@ public sealed class SimulationOptions
             .ValidatedCopy(parameter);
         copy.Area = Area.ToArray();
         copy.Motions = Motions.ToArray();
+        copy.Occluders = Occluders.ToArray();
         copy.TargetKinds = TargetKinds.ToArray();
         copy.Faults = Faults.OrderBy(f => f.At).Select(f => ScriptedFaultChecks.WithModeNumber(f, Autopilot)).ToArray();
         copy.Parameters = Parameters.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal);
@@ -256,6 +268,16 @@ public sealed class SimulationOptions
             yield return $"{nameof(TargetKinds)} must be kinds that there are";
         if (PartlyHiddenCount is < 0 or > 1000)
             yield return $"{nameof(PartlyHiddenCount)} is {PartlyHiddenCount}; it must be 0 to 1000";
+        if (OccluderCount is < 0 or > 1000)
+            yield return $"{nameof(OccluderCount)} is {OccluderCount}; it must be 0 to 1000";
+        if (Occluders is null || Occluders.Any(o => o is null))
+            yield return $"{nameof(Occluders)} may be empty, but neither null nor have such";
+        for (int i = 0; i < (Occluders?.Count ?? 0); i++)
+        {
+            if (Occluders![i]?.FindFault() is { } fault)
+                yield return FormattableString.Invariant($"{nameof(Occluders)}[{i}]: {fault}");
+        }
+
         if (Area is null || Area.Count < 3)
             yield return $"{nameof(Area)} must have at least three corners";
         foreach (string fault in FindFaultsOfParameters().Concat(ScriptedFaultChecks.FindFaults(this)))

@@ -32,7 +32,8 @@ public sealed class MissionSummary
     /// <param name="record">The flight.</param>
     /// <param name="score">Null where the truth is not known.</param>
     /// <param name="isCompletedByOthers">
-    /// Whether other vehicles of a group completed the search: that this one gave it up is no failure then.
+    /// Whether other vehicles of a group completed the search: that this one gave it up, or was called off before it
+    /// took off, is no failure then.
     /// </param>
     internal MissionSummary(FlightRecord record, MissionScore? score, bool isCompletedByOthers)
     {
@@ -57,7 +58,11 @@ public sealed class MissionSummary
         HasLanded = mission.Result.HasLanded;
         DistanceFromHomeMetres = score?.DistanceFromHomeMetres ?? mission.Result.DistanceFromHomeMetres;
         OutsideFenceMetres = mission.Result.OutsideFenceMetres;
-        string[] first = [.. NotFlown(mission.Result), .. isCompletedByOthers ? [] : CoverageFailures(mission.Result)];
+        string[] first =
+        [
+            .. NotFlown(mission.Result, isCompletedByOthers),
+            .. isCompletedByOthers ? [] : CoverageFailures(mission.Result),
+        ];
         Failures = [.. first, .. TargetFailures(score), .. FlightFailures(record, isCompletedByOthers)];
         Remarks = [.. NothingFound(record)];
         Headlines = [.. first, .. Remarks];
@@ -139,9 +144,11 @@ public sealed class MissionSummary
                 + $"{FlightText.Number(RequiredCoveragePercent, "0.#")} % are required";
     }
 
-    private IEnumerable<string> NotFlown(MissionResult result)
+    // One that the operator called off before its take-off did as commanded.
+    private IEnumerable<string> NotFlown(MissionResult result, bool isCompletedByOthers)
     {
-        if (!result.HasFlown)
+        bool isMadeGood = isCompletedByOthers && (result.Failures & MissionFailures.CalledOff) != 0;
+        if (!result.HasFlown && !isMadeGood)
             yield return "it did not fly" + (Text is { } why ? $" ({why})" : string.Empty);
     }
 

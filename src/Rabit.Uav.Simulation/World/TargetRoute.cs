@@ -20,6 +20,9 @@ internal sealed class TargetRoute
         _period = _legs.Sum(l => l.Seconds);
     }
 
+    /// <summary>How long it takes once.</summary>
+    public double PeriodSeconds => _period;
+
     public NedPosition PositionAt(TimeSpan time)
     {
         RouteLeg leg = LegAt(time, out double seconds);

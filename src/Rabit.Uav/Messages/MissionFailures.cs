@@ -36,4 +36,10 @@ public enum MissionFailures
     /// The camera saw less of the area than the mission requires, <see cref="MissionResult.RequiredCoverage"/>.
     /// </summary>
     AreaNotSeen = 64,
+
+    /// <summary>
+    /// The operator gave the mission up before the take-off, with a hold, return or land; beside
+    /// <see cref="NotFlown"/>.
+    /// </summary>
+    CalledOff = 128,
 }

@@ -36,6 +36,7 @@ internal sealed class MissionAssessment
         bool isGivenUp = flight.Aborted is not null || phase == MissionPhase.Failed;
         MissionFailures failures = If(MissionFailures.GivenUp, hasFlown && isGivenUp)
             | If(MissionFailures.NotFlown, !hasFlown)
+            | If(MissionFailures.CalledOff, !hasFlown && flight.IsCalledOff)
             | If(MissionFailures.NotLanded, hasFlown && !hasLanded)
             | If(
                 MissionFailures.AwayFromHome,

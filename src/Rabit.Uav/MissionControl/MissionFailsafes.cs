@@ -127,6 +127,7 @@ internal sealed class MissionFailsafes
             is { Command: OperatorCommand.Hold or OperatorCommand.Return or OperatorCommand.Land } request)
         {
             flight.Operator.Accept("given up before take-off");
+            flight.IsCalledOff = true;
             return new MissionStep(MissionEvent.Impossible, "given up before take-off: " + request.Reason);
         }
 

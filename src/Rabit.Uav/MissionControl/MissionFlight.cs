@@ -56,6 +56,9 @@ internal sealed class MissionFlight(
     /// <summary>The command of the operator that led to the phase; null where none did.</summary>
     public OperatorRequest? Ordered { get; set; }
 
+    /// <summary>Whether the operator gave the mission up before the take-off.</summary>
+    public bool IsCalledOff { get; set; }
+
     /// <summary>The time of this tick.</summary>
     public TimeSpan Now { get; set; }
 

@@ -62,6 +62,19 @@ public sealed class GroupSearchesTests
         Assert.StartsWith("vehicle 3: it did not fly", group.VehicleFailures[1], StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void CalledOffBeforeTakeOff_IsARemarkWhereOthersCompletedTheSearch(bool isCompleted)
+    {
+        const MissionFailures CalledOff = MissionFailures.NotFlown | MissionFailures.CalledOff;
+        var group = new GroupFlightSummary(
+            [isCompleted ? Vehicle(1) : Vehicle(1, CalledHome, 0.4), Vehicle(2, CalledOff, 0, hasFlown: false)]);
+        Assert.Equal(isCompleted ? 0 : 3, group.VehicleFailures.Count);
+        Assert.Equal(
+            isCompleted ? ["vehicle 2: it did not fly; the others completed the search"] : [], group.Remarks);
+    }
+
     private static GroupVehicleSummary Vehicle(
         byte systemId, MissionFailures failures = MissionFailures.None, double coverage = 0.99, double required = 0.98,
         bool hasLanded = true, bool hasFlown = true)

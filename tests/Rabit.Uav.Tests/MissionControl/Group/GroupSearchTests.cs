@@ -109,6 +109,29 @@ public sealed class GroupSearchTests
         Assert.True(rig.Rigs[0].Status.Coverage >= 0.98, rig.Story);
     }
 
+    // Two seconds later all are ready to arm.
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2.5)]
+    public void Search_OneIsCalledHomeBeforeItTakesOff_TheOthersSearchAll(double seconds)
+    {
+        using GroupRig rig = Open(3);
+        rig.Run(seconds);
+        rig.Rigs[1].Manager.ReturnToLaunch("test", "weather");
+        Assert.True(rig.RunToEnd(), rig.Story);
+
+        Assert.Equal(
+            MissionFailures.NotFlown | MissionFailures.CalledOff,
+            rig.Rigs[1].Status.Result.Failures & (MissionFailures.NotFlown | MissionFailures.CalledOff));
+        Assert.Contains("given up before take-off", rig.Rigs[1].Status.Text);
+        Assert.Equal(0, rig.ShareOf(1).Count);
+        foreach (int other in new[] { 0, 2 })
+        {
+            Assert.Equal(MissionOutcome.Accomplished, rig.Rigs[other].Status.Result.Outcome);
+            Assert.True(rig.Rigs[other].Status.Coverage >= 0.98, rig.Story);
+        }
+    }
+
     [Fact]
     public void Search_PartitionHeals_EachPartGoesOnAndOneDivisionHoldsAfterIt()
     {
