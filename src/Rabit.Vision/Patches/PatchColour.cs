@@ -22,6 +22,9 @@ internal sealed class PatchColour
     private const double ContrastSigma = 0.15;
     private const double NeutralSigma = 0.055;
 
+    // Least channel of a white, level.
+    private const int LeastWhite = 215;
+
     private const double FullBrightness = 1.15;
     private const double BrightnessSigma = 0.15;
 
@@ -32,6 +35,7 @@ internal sealed class PatchColour
 
     private readonly double _hue;
     private readonly double _saturation;
+    private readonly double _tint;   // of a grey: its own, which is none of the light
     private readonly int _strongest;
     private readonly double _turn;   // of the hue by overexposure, degrees
 
@@ -40,6 +44,8 @@ internal sealed class PatchColour
         (_hue, _saturation, _) = ColourRange.Describe(colour.Red, colour.Green, colour.Blue);
         _strongest = colour.Red >= colour.Green && colour.Red >= colour.Blue ? 0 : colour.Green >= colour.Blue ? 1 : 2;
         IsNeutral = _saturation < MinSaturation;
+        IsWhite = IsNeutral && Math.Min(colour.Red, Math.Min(colour.Green, colour.Blue)) >= LeastWhite;
+        _tint = IsWhite ? 0 : ChromaOf(colour.Red, colour.Green, colour.Blue);
         IsBright = Math.Max(colour.Red, Math.Max(colour.Green, colour.Blue)) >= 128;
         (double hue, _, _) = ColourRange.Describe(
             Math.Min(255, Overexposure * colour.Red), Math.Min(255, Overexposure * colour.Green),
@@ -50,8 +56,11 @@ internal sealed class PatchColour
     /// <summary>White, black or grey: only its brightness against its surroundings shows it.</summary>
     public bool IsNeutral { get; }
 
-    /// <summary>Of a neutral one: white.</summary>
+    /// <summary>Of a neutral one: white or a light grey.</summary>
     public bool IsBright { get; }
+
+    /// <summary>White, and no grey: nothing that is lit as it is and is no lamp is brighter.</summary>
+    public bool IsWhite { get; }
 
     /// <summary>How far the hue is off, degrees, and the saturation as a part of the nominal one.</summary>
     public (double HueDegrees, double Saturation) Compare(double red, double green, double blue)
@@ -74,8 +83,7 @@ internal sealed class PatchColour
     /// <summary>The same for white or black: by brightness against the ground, and by how little colour.</summary>
     public double NeutralCost(in PatchShape shape, double level)
     {
-        double most = Math.Max(shape.Red, Math.Max(shape.Green, shape.Blue));
-        double chroma = (most - Math.Min(shape.Red, Math.Min(shape.Green, shape.Blue))) / Math.Max(60, most);
+        double chroma = Math.Max(0, ChromaOf(shape.Red, shape.Green, shape.Blue) - _tint);
         double inside = shape.Red + (2 * shape.Green) + shape.Blue;
         double ground = shape.GroundRed + (2 * shape.GroundGreen) + shape.GroundBlue;
         double ratio = IsBright
@@ -99,6 +107,12 @@ internal sealed class PatchColour
             _ => shape.Blue / Math.Max(1, shape.GroundBlue),
         };
         return Math.Max(0, FullBrightness - ratio) / BrightnessSigma;
+    }
+
+    private static double ChromaOf(double red, double green, double blue)
+    {
+        double most = Math.Max(red, Math.Max(green, blue));
+        return (most - Math.Min(red, Math.Min(green, blue))) / Math.Max(60, most);
     }
 
     private static double Difference(double a, double b)

@@ -90,9 +90,9 @@ public sealed class PatchTable
     /// <param name="index">The colour.</param>
     public bool IsNeutral(int index) => _colours[index].IsNeutral;
 
-    /// <summary>Whether a colour is white.</summary>
+    /// <summary>Whether a colour is white, and no light grey as that of a silver car.</summary>
     /// <param name="index">The colour.</param>
-    public bool IsWhite(int index) => index + 1 == White;
+    public bool IsWhite(int index) => _colours[index].IsWhite;
 
     /// <summary>How much darker against the ground a patch is than one of its colour should be, squared.</summary>
     /// <param name="shape">What was measured of the patch.</param>

@@ -117,6 +117,14 @@ public class PatchTests
         }));
     }
 
+    [Theory]
+    [InlineData(236, 236, 234, true)]
+    [InlineData(168, 172, 176, false)]   // a silver car: what is white beside it does not make it grey
+    [InlineData(20, 20, 20, false)]
+    [InlineData(205, 28, 32, false)]
+    public void IsWhite_Colour_IsOfWhiteAlone(byte red, byte green, byte blue, bool isWhite)
+        => Assert.Equal(isWhite, new PatchTable([new ColourRange(red, green, blue)]).IsWhite(0));
+
     [Fact]
     public void New_WhiteTwice_IsRefused()
         => Assert.Throws<ArgumentException>(
