@@ -138,10 +138,22 @@ internal static class ManagerOptions
                 Lifetime = TimeSpan.FromSeconds(5),
             },
             .. options.MissionControl.Group is not null && options.Has(UavManagers.MissionControl) ? GroupRoutes() : [],
+            .. SharesTracks(options) ? new VehicleMessageRoute[] { TrackRoute() } : [],
             .. options.Communications.VehicleMessageRoutes,
         ];
         return made;
     }
+
+    private static bool SharesTracks(UavOptions options)
+        => options.MissionControl.Group is not null && options.Has(UavManagers.SensorFusion)
+            && options.Has(UavManagers.Communications);
+
+    // Sent every 10 s.
+    private static VehicleMessageRoute<TrackEstimate> TrackRoute()
+        => new(new TrackEstimateCodec(), MessageNames.OutgoingTrackEstimates, MessageNames.TrackEstimates)
+        {
+            Lifetime = TimeSpan.FromSeconds(5),
+        };
 
     // All are repeated, so that none needs to be acknowledged.
     private static VehicleMessageRoute[] GroupRoutes() =>
@@ -242,9 +254,12 @@ internal static class ManagerOptions
     }
 
     public static SensorFusionOptions ForSensorFusion(UavOptions options)
-        => MissionOf(options) is { TargetMotions.IsEmpty: false } mission
+    {
+        SensorFusionOptions made = MissionOf(options) is { TargetMotions.IsEmpty: false } mission
             ? options.Fusion.With(mission.TargetMotions)
             : options.Fusion;
+        return SharesTracks(options) ? made.WithSharedTracks() : made;
+    }
 
     public static MissionControlOptions ForMissionControl(UavOptions options)
     {

@@ -94,6 +94,18 @@ public static class MessageNames
     public const string OutgoingTargetReports = "outgoing target reports";
 
     /// <summary>
+    /// Queue of <see cref="Envelope{T}"/> of <see cref="TrackEstimate"/>: tracks of other vehicles of a group, from
+    /// Communications to Sensor Fusion.
+    /// </summary>
+    public const string TrackEstimates = "track estimates";
+
+    /// <summary>
+    /// Queue of <see cref="Envelope{T}"/> of <see cref="TrackEstimate"/>: from Sensor Fusion of a vehicle in a group to
+    /// Communications, for the others.
+    /// </summary>
+    public const string OutgoingTrackEstimates = "outgoing track estimates";
+
+    /// <summary>
     /// Message <see cref="Messages.GroupStatus"/>, posted by Mission Control of a vehicle in a group.
     /// </summary>
     public const string Group = "group";

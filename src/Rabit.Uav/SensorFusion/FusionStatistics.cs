@@ -13,6 +13,11 @@ internal sealed class FusionStatistics
     public long ObservationsRefused;
     public long TracksDropped;
     public long TracksMerged;
+    public long EstimatesUsed;
+    public long EstimatesNotNeeded;
+    public long EstimatesTwice;
+    public long EstimatesRefused;
+    public long EstimatesWithoutRoom;
     public long TracksOccluded;
     public long TracksFoundAgain;
     public long TracksExchanged;
@@ -33,6 +38,11 @@ internal sealed class FusionStatistics
         ObservationsRefused = ObservationsRefused,
         TracksDropped = TracksDropped,
         TracksMerged = TracksMerged,
+        EstimatesUsed = EstimatesUsed,
+        EstimatesNotNeeded = EstimatesNotNeeded,
+        EstimatesTwice = EstimatesTwice,
+        EstimatesRefused = EstimatesRefused,
+        EstimatesWithoutRoom = EstimatesWithoutRoom,
         TracksOccluded = TracksOccluded,
         TracksFoundAgain = TracksFoundAgain,
         TracksExchanged = TracksExchanged,

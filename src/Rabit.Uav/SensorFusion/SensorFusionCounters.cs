@@ -36,8 +36,9 @@ public sealed class SensorFusionCounters
     public long ObservationsRefused { get; init; }
 
     /// <summary>
-    /// Who sent the reports that were refused, and why: <see cref="ReportsRefused"/> by vehicle, and of targets that
-    /// move also those that were too old. By vehicle and reason; those without any are not there.
+    /// Who sent the reports that were refused, and why: <see cref="ReportsRefused"/> and <see cref="EstimatesRefused"/>
+    /// by vehicle, and of targets that move also the reports that were too old. By vehicle and reason; those without
+    /// any are not there.
     /// </summary>
     public ImmutableArray<RefusedReports> Refused { get; init; } = [];
 
@@ -46,6 +47,26 @@ public sealed class SensorFusionCounters
 
     /// <summary>Tracks that turned out to be of the target of another track.</summary>
     public long TracksMerged { get; init; }
+
+    /// <summary>
+    /// Tracks of other vehicles that started one of ours or were fused with it; each is in exactly one of the counts
+    /// of estimates.
+    /// </summary>
+    public long EstimatesUsed { get; init; }
+
+    /// <summary>Those of a target of which ours is as new, or of a class that does not move here.</summary>
+    public long EstimatesNotNeeded { get; init; }
+
+    /// <summary>Those that arrived before: same vehicle, track and picture.</summary>
+    public long EstimatesTwice { get; init; }
+
+    /// <summary>
+    /// Those that are not valid, too old or of the future; <see cref="Refused"/> says whose, and why.
+    /// </summary>
+    public long EstimatesRefused { get; init; }
+
+    /// <summary>Those that found no room for a track.</summary>
+    public long EstimatesWithoutRoom { get; init; }
 
     /// <summary>
     /// How often a track of a target that moves was missed where it should have been seen, and kept since its target

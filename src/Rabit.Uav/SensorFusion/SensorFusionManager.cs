@@ -14,7 +14,7 @@ namespace Rabit.Uav.SensorFusion;
 /// how certain that is. An observation that shows the place of a target without reporting it counts as a miss; one that
 /// does not show it does not.
 /// </summary>
-public sealed class SensorFusionManager : RabitManager
+public sealed partial class SensorFusionManager : RabitManager
 {
     /// <summary>The name of the manager.</summary>
     public const string ManagerName = "sensor fusion";
@@ -70,6 +70,12 @@ public sealed class SensorFusionManager : RabitManager
         _decisions = Receive<TrackDecision>(MessageNames.TrackDecisions);
         if (_options.SharesReports)
             _outgoing = Send<Envelope<TargetReport>>(MessageNames.OutgoingTargetReports);
+        if (_options.SharesTracks)
+        {
+            _foreignEstimates = Receive<Envelope<TrackEstimate>>(MessageNames.TrackEstimates, QueueCapacity);
+            _outgoingEstimates = Send<Envelope<TrackEstimate>>(MessageNames.OutgoingTrackEstimates);
+        }
+
         _tracks = Publish(MessageNames.Tracks, TrackList.None);
         WakeUpDelay = Idle;
     }
@@ -82,7 +88,7 @@ public sealed class SensorFusionManager : RabitManager
     {
         TimeSpan now = Now;
 
-        bool hasNews = PopForeignReports(now);
+        bool hasNews = PopForeignReports(now) | PopForeignEstimates(now);
         while (_decisions.TryPop(out TrackDecision decision))
             _isChanged |= _tracker.Decide(decision) || _moving?.Decide(decision) == true;
         while (_observations.TryPop(out CameraObservation observation))
@@ -97,6 +103,7 @@ public sealed class SensorFusionManager : RabitManager
             hasNews = true;
         }
 
+        ShareEstimates(now);
         if (_isChanged)
             PostTracks();
         if (hasNews)
@@ -188,11 +195,8 @@ public sealed class SensorFusionManager : RabitManager
 
     private void Track(TimeSpan time, in Footprint footprint)
     {
-        if (!_tracker.Update(_located, time, footprint, _updated))
-            return;
-        _isChanged = true;
-        if (time > _newest)
-            _newest = time;
+        if (_tracker.Update(_located, time, footprint, _updated))
+            NoteChange(time);
     }
 
     // A look that shows none of them counts, too: what it should have shown is missed.
@@ -201,9 +205,7 @@ public sealed class SensorFusionManager : RabitManager
         if (_moving is null || (_locatedMoving.Count == 0 && !(footprint.IsKnown && _moving.HasTracks)))
             return;
         _moving.Update(_locatedMoving, source, time, footprint);
-        _isChanged = true;
-        if (time > _newest)
-            _newest = time;
+        NoteChange(time);
     }
 
     // The first report is the origin. As long as nothing is confirmed, one from far away moves it: the first may have

@@ -93,6 +93,13 @@ public sealed class SensorFusionOptions
     /// <value>The default is true.</value>
     public bool SharesReports { get; set; } = true;
 
+    /// <summary>
+    /// Whether the states of our tracks of targets that move go out to other vehicles, each every 10 s, and theirs are
+    /// taken.
+    /// </summary>
+    /// <value>The default is false. A vehicle of a group does so.</value>
+    public bool SharesTracks { get; set; }
+
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
     internal SensorFusionOptions ValidatedCopy(string parameter)
     {
@@ -107,6 +114,14 @@ public sealed class SensorFusionOptions
     {
         var made = (SensorFusionOptions)MemberwiseClone();
         made.TargetMotions = TargetMotions.SetItems(motions);
+        return made;
+    }
+
+    /// <summary>A copy that also shares tracks.</summary>
+    internal SensorFusionOptions WithSharedTracks()
+    {
+        var made = (SensorFusionOptions)MemberwiseClone();
+        made.SharesTracks = true;
         return made;
     }
 

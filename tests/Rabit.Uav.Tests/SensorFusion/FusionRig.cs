@@ -18,7 +18,9 @@ internal sealed class FusionRig : IDisposable
     private readonly QueueSender<CameraObservation> _observations;
     private readonly QueueSender<TrackDecision> _decisions;
     private readonly MessageSubscriber<TrackList> _tracks;
-    private readonly OutgoingReports _sentReports = new();
+    private readonly Outgoing<TargetReport> _sentReports = new("reports", MessageNames.OutgoingTargetReports);
+    private readonly Outgoing<TrackEstimate> _sentEstimates = new("estimates", MessageNames.OutgoingTrackEstimates);
+    private readonly QueueSender<Envelope<TrackEstimate>>? _estimates;
     private long _number;
 
     public FusionRig(Action<SensorFusionOptions>? change = null)
@@ -30,6 +32,12 @@ internal sealed class FusionRig : IDisposable
         {
             Manager, _sentReports
         };
+        if (options.SharesTracks)
+        {
+            _reactor.Add(_sentEstimates);
+            _estimates = _reactor.Workspace.Send<Envelope<TrackEstimate>>(MessageNames.TrackEstimates);
+        }
+
         _reports = _reactor.Workspace.Send<Envelope<TargetReport>>(MessageNames.TargetReports);
         _observations = _reactor.Workspace.Send<CameraObservation>(MessageNames.CameraObservations);
         _decisions = _reactor.Workspace.Send<TrackDecision>(MessageNames.TrackDecisions);
@@ -42,6 +50,8 @@ internal sealed class FusionRig : IDisposable
     public SensorFusionCounters Counters => Manager.Counters;
 
     public List<Envelope<TargetReport>> SentReports => _sentReports.Items;
+
+    public List<Envelope<TrackEstimate>> SentEstimates => _sentEstimates.Items;
 
     public TimeSpan Now => _reactor.Now;
 
@@ -125,6 +135,9 @@ internal sealed class FusionRig : IDisposable
     /// <summary>A report of another vehicle.</summary>
     public void Push(TargetReport report) => _reports.Push(new Envelope<TargetReport> { Content = report });
 
+    /// <summary>A track of another vehicle.</summary>
+    public void Push(TrackEstimate estimate) => _estimates!.Push(new Envelope<TrackEstimate> { Content = estimate });
+
     public void Run(double seconds) => _reactor.RunFor(TimeSpan.FromSeconds(seconds));
 
     public void Dispose()
@@ -134,19 +147,20 @@ internal sealed class FusionRig : IDisposable
     }
 
     /// <summary>In the place of Communications.</summary>
-    private sealed class OutgoingReports : RabitManager
+    private sealed class Outgoing<T> : RabitManager
+        where T : struct
     {
-        private readonly QueueReceiver<Envelope<TargetReport>> _sentReports;
+        private readonly QueueReceiver<Envelope<T>> _sent;
 
-        public OutgoingReports()
-            : base("outgoing reports")
-                => _sentReports = Receive<Envelope<TargetReport>>(MessageNames.OutgoingTargetReports);
+        public Outgoing(string what, string queue)
+            : base("outgoing " + what)
+                => _sent = Receive<Envelope<T>>(queue);
 
-        public List<Envelope<TargetReport>> Items { get; } = [];
+        public List<Envelope<T>> Items { get; } = [];
 
         protected override void ExecuteUnitOfWork()
         {
-            while (_sentReports.TryPop(out Envelope<TargetReport> envelope))
+            while (_sent.TryPop(out Envelope<T> envelope))
                 Items.Add(envelope);
         }
     }

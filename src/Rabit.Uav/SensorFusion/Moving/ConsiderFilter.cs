@@ -65,6 +65,10 @@ internal sealed class ConsiderFilter
         (_c[at], _c[at + 1], _c[at + 4], _c[at + 5]) = (-b.NorthNorth, -b.NorthEast, -b.NorthEast, -b.EastEast);
     }
 
+    /// <summary>States how the error depends on the registration error of a source: four rows of two.</summary>
+    public void Correlate(int slot, ReadOnlySpan<double> correlation)
+        => correlation.CopyTo(_c.AsSpan(slot * N * 2, N * 2));
+
     /// <summary>Becomes the one that has the mean and the covariance of two, of which one is true.</summary>
     public void Mix(ConsiderFilter a, double weightOfA, ConsiderFilter b, double weightOfB)
     {

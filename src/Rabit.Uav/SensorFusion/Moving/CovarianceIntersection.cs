@@ -108,8 +108,9 @@ internal static class CovarianceIntersection
             sum[i] = (weight * a[i]) + ((1 - weight) * b[i]);
     }
 
+    /// <summary>Inverts a matrix; false where it is not positive definite.</summary>
     // Gauss and Jordan without exchanges; each pivot of a positive definite matrix is above 0.
-    private static bool TryInvert(ReadOnlySpan<double> matrix, int n, Span<double> inverse)
+    internal static bool TryInvert(ReadOnlySpan<double> matrix, int n, Span<double> inverse)
     {
         matrix.Slice(0, n * n).CopyTo(inverse);
         for (int k = 0; k < n; k++)

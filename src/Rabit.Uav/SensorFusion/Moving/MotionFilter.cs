@@ -70,6 +70,13 @@ internal sealed class MotionFilter
         Start(time);
     }
 
+    /// <summary>States how the error depends on the registration error of a source: four rows of two.</summary>
+    public void Correlate(int slot, ReadOnlySpan<double> correlation)
+    {
+        for (int mode = 0; mode < _model.Modes; mode++)
+            _modes[mode].Correlate(slot, correlation);
+    }
+
     /// <summary>Goes to the time of a measurement and takes it in; starts with it, if it is the first.</summary>
     /// <returns>How likely it was there, per square metre; 1 for the first.</returns>
     public double Take(in TrackMeasurement measurement, RegistrationSlots slots)

@@ -25,6 +25,7 @@ internal sealed class MovingTargets
     private readonly HorizontalCovariance _registration;
     private readonly ScanPoint[] _points;
     private readonly double[] _covariance = new double[16];
+    private readonly ForeignEstimate _estimate = new();
 
     public MovingTargets(SensorFusionOptions options, FusionStatistics statistics, Func<int> nextId)
     {
@@ -96,6 +97,62 @@ internal sealed class MovingTargets
             TrackOf(i)?.Description.Add(reports[i]);
     }
 
+    /// <summary>Takes what another vehicle knows of a target in.</summary>
+    /// <param name="estimate">Of a class that moves, valid and new.</param>
+    /// <param name="place">Where it is in the local frame.</param>
+    /// <returns>Whether anything has changed.</returns>
+    public bool Update(in TrackEstimate estimate, NedPosition place)
+    {
+        _estimate.Set(estimate, place, Array.IndexOf(_classes, estimate.Class), _registration);
+        switch (_tracker.Update(_estimate))
+        {
+            case EstimateResult.Fused or EstimateResult.Started:
+                _statistics.EstimatesUsed++;
+                return true;
+            case EstimateResult.NotNeeded:
+                _statistics.EstimatesNotNeeded++;
+                return false;
+            default:
+                _statistics.EstimatesWithoutRoom++;
+                return false;
+        }
+    }
+
+    /// <summary>What we know of the targets that we have seen ourselves, for other vehicles.</summary>
+    /// <param name="frame">The local frame.</param>
+    /// <param name="since">Older ones are of no use.</param>
+    public IEnumerable<TrackEstimate> Estimates(LocalNedFrame frame, TimeSpan since)
+    {
+        foreach (MovingTrack track in _tracker.Tracks)
+        {
+            if (track.IsConfirmed && track.Description.LastOwnPicture >= 0 && track.LastSeen >= since)
+                yield return EstimateOf(track, frame);
+        }
+    }
+
+    private TrackEstimate EstimateOf(MovingTrack track, in LocalNedFrame frame)
+    {
+        MotionFilter filter = track.Filter.Current;
+        filter.CopyCovarianceTo(_covariance);
+        double[] p = _covariance;
+        return new TrackEstimate
+        {
+            TrackId = track.Id,
+            PictureNumber = track.Description.LastOwnPicture,
+            Time = track.LastSeen,
+            Position = frame.ToGeodetic(new NedPosition(filter.North, filter.East, track.Description.Down)),
+            VelocityNed = new NedVector(filter.NorthRate, filter.EastRate, 0),
+            Covariance = new HorizontalCovariance(p[0], p[2], p[10]),
+            VelocityCovariance = new HorizontalCovariance(p[5], p[7], p[15]),
+            NorthWithNorthRate = p[1],
+            NorthWithEastRate = p[3],
+            EastWithNorthRate = p[6],
+            EastWithEastRate = p[11],
+            Class = _classes[track.Class],
+            MarkerId = track.Marker < 0 ? null : track.Marker,
+        };
+    }
+
     /// <summary>The track of a report of the last picture; null for none.</summary>
     public MovingTrack? TrackOf(int report) => report < _points.Length ? _tracker.TrackOfPoint(report) : null;
 
@@ -162,7 +219,8 @@ internal sealed class MovingTargets
                 return TrackState.Rejected;
         }
 
-        if (!track.IsConfirmed)
+        // What only another vehicle has seen is not known to be there.
+        if (!track.IsConfirmed || track.Points == 0)
             return TrackState.Tentative;
         HorizontalCovariance c = track.Widest.Covariance;
         bool isLost = track.Existence < 0.5

@@ -95,6 +95,34 @@ internal sealed class MovingTrack(TrackerSettings settings)
         Filter.Take(point.Measurement);
     }
 
+    /// <summary>Starts with what another vehicle knows of a target; <see cref="GoOnFrom"/> follows.</summary>
+    public void Start(int id, ForeignEstimate estimate, double existence)
+    {
+        (Id, Class, Marker) = (id, estimate.Class, estimate.Marker);
+        (Existence, StartExistence, _hidden) = (existence, existence, 0);
+        (IsConfirmed, IsOccluded, Points, Misses) = (true, false, 0, 0);
+        (Widest, _quiet, _hasTwoModes) = (default, default, false);
+        (MissProbability, IsTooNew) = (1, false);
+        FirstSeen = estimate.Time;
+        LastPointCovariance = default;
+        Description.Clear(estimate.Down);
+        History = default;
+    }
+
+    /// <summary>
+    /// Goes on with a state that another vehicle has a part in. What was reported before it counts no more: it is in
+    /// it already.
+    /// </summary>
+    public void GoOnFrom(
+        ForeignEstimate estimate, MotionModel model, ReadOnlySpan<double> state, ReadOnlySpan<double> covariance,
+        ReadOnlySpan<double> correlation)
+    {
+        Filter.Start(model, estimate, state, covariance, correlation);
+        (Existence, _hidden, IsOccluded) = (Math.Max(Existence, settings.Confirm), 0, false);
+        if (estimate.Marker >= 0)
+            Marker = estimate.Marker;
+    }
+
     /// <summary>Goes to the time of a scan, in which the target may have gone.</summary>
     /// <param name="scan">The scan.</param>
     /// <param name="registration">The registration error of its source.</param>

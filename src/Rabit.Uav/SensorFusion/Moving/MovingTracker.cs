@@ -9,7 +9,8 @@ namespace Rabit.Uav.SensorFusion.Moving;
 /// which a point raises the more the less clutter there is, and a miss lowers (Musicki, Evans, Stankovic: "Integrated
 /// Probabilistic Data Association", IEEE Trans. Automatic Control 39(6), 1994, here with the one most likely pairing).
 /// A target that has been seen for a while may also be there and not be seen (their "Markov Chain Two"): its track is
-/// occluded then, and goes on where it is seen again. Scans may arrive late, in any order; each only once. Fixed room: a scan allocates nothing. For one thread.
+/// occluded then, and goes on where it is seen again. Scans may arrive late, in any order; each only once. Fixed room:
+/// a scan allocates nothing. For one thread.
 /// </summary>
 internal sealed class MovingTracker
 {
@@ -22,6 +23,7 @@ internal sealed class MovingTracker
     private readonly Stack<MovingTrack> _unused;
     private readonly ScanAssociation _association;
     private readonly TrackStitcher _stitcher;
+    private readonly EstimateFusion _estimates = new();
     private readonly int[] _trackOfPoint;
     private readonly Func<int> _nextId;
     private TimeSpan? _time;
@@ -124,6 +126,26 @@ internal sealed class MovingTracker
         EstimateClutter(scan);
         StartTracks(points);
         Delete();
+    }
+
+    /// <summary>Takes what another vehicle knows of a target in.</summary>
+    public EstimateResult Update(ForeignEstimate estimate)
+    {
+        MotionModel model = _models[estimate.Class];
+        if (_estimates.Find(_tracks, estimate) is { } track)
+        {
+            bool isNewer = estimate.Time > track.LastSeen + _settings.EstimateNewerBy;
+            return isNewer && _estimates.TryFuse(track, estimate, model)
+                ? EstimateResult.Fused
+                : EstimateResult.NotNeeded;
+        }
+
+        if (_unused.Count == 0)
+            return EstimateResult.WithoutRoom;
+        MovingTrack started = _unused.Pop();
+        _estimates.Start(started, _nextId(), estimate, model, _settings.Confirm);
+        _tracks.Add(started);
+        return EstimateResult.Started;
     }
 
     private void Expect(in Scan scan, HorizontalCovariance registration)

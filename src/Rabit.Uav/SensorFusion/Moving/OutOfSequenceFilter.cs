@@ -49,6 +49,34 @@ internal sealed class OutOfSequenceFilter(TimeSpan window, int capacity)
         _current.CopyFrom(_base);
     }
 
+    /// <summary>Forgets all and starts with a state that another vehicle has a part in.</summary>
+    /// <param name="model">How the target moves.</param>
+    /// <param name="estimate">That of the other vehicle, of the same time.</param>
+    /// <param name="state">N, vN, E, vE.</param>
+    /// <param name="covariance">Sixteen numbers, row by row.</param>
+    /// <param name="correlation">
+    /// How the error depends on what the frame of the other vehicle is off: four rows of two.
+    /// </param>
+    public void Start(
+        MotionModel model, ForeignEstimate estimate, ReadOnlySpan<double> state, ReadOnlySpan<double> covariance,
+        ReadOnlySpan<double> correlation)
+    {
+        Span<double> upper = stackalloc double[10];
+        int next = 0;
+        for (int row = 0; row < 4; row++)
+        {
+            for (int column = row; column < 4; column++)
+                upper[next++] = covariance[(row * 4) + column];
+        }
+
+        Start(model);
+        _base.Start(estimate.Time, state, upper);
+        int slot = Slots.Add(estimate.Source, estimate.Registration);
+        if (slot >= 0)
+            _base.Correlate(slot, correlation);
+        _current.CopyFrom(_base);
+    }
+
     /// <summary>Takes a measurement in, at its own time.</summary>
     public TakeResult Take(in TrackMeasurement measurement)
     {

@@ -33,12 +33,15 @@ internal sealed class RegistrationSlots
     public int Of(in TrackMeasurement measurement)
     {
         int slot = Find(measurement.Key.Source);
-        if (slot >= 0)
-            return slot;
-        HorizontalCovariance covariance = measurement.Registration;
+        return slot >= 0 ? slot : Add(measurement.Key.Source, measurement.Registration);
+    }
+
+    /// <summary>A new slot for a source; -1 where there is no room, or it states no registration error.</summary>
+    public int Add(byte source, HorizontalCovariance covariance)
+    {
         if (Count == Capacity || !(covariance.NorthNorth > 0 || covariance.EastEast > 0))
             return -1;
-        (_sources[Count], _covariances[Count]) = (measurement.Key.Source, covariance);
+        (_sources[Count], _covariances[Count]) = (source, covariance);
         return Count++;
     }
 }

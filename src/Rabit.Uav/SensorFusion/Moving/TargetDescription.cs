@@ -32,10 +32,13 @@ internal sealed class TargetDescription
     /// <summary>What the operator said about it.</summary>
     public TargetDecision Decision { get; set; }
 
-    public void Clear()
+    /// <summary>The picture of its last report of our own; negative before one.</summary>
+    public long LastOwnPicture { get; private set; }
+
+    public void Clear(double down = 0)
     {
         (_sizeSum, _sizes, _best) = (0, 0, default);
-        (Down, Bearing) = (0, null);
+        (Down, Bearing, LastOwnPicture) = (down, null, -1);
         (SharedTime, Decision) = (null, TargetDecision.None);
     }
 
@@ -47,7 +50,9 @@ internal sealed class TargetDescription
         _sizes++;
 
         // Only pictures of our own can be shown.
-        if (report.IsOwn)
-            _best.Add(report.Report.Score, new TrackPicture(report.Report.PictureNumber, report.Report.Index));
+        if (!report.IsOwn)
+            return;
+        LastOwnPicture = report.Report.PictureNumber;
+        _best.Add(report.Report.Score, new TrackPicture(report.Report.PictureNumber, report.Report.Index));
     }
 }

@@ -97,6 +97,11 @@ internal sealed record TrackerSettings
     /// <summary>How far inside a footprint a track must be to count as seen, metres, beside twice its sigma.</summary>
     public double FootprintMarginMetres { get; init; } = 1;
 
+    /// <summary>
+    /// A track of another vehicle is of use where it is newer than ours by this: before, ours has reports of both.
+    /// </summary>
+    public TimeSpan EstimateNewerBy { get; init; } = TimeSpan.FromSeconds(2);
+
     /// <summary>How many tracks there may be.</summary>
     public int MaxTracks { get; init; } = 200;
 

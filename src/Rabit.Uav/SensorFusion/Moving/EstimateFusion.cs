@@ -1,0 +1,114 @@
+using System;
+using System.Collections.Generic;
+
+namespace Rabit.Uav.SensorFusion.Moving;
+
+/// <summary>
+/// Tracks of other vehicles against ours, by covariance intersection: both may be made of the same reports. Fixed room;
+/// for one thread.
+/// </summary>
+internal sealed class EstimateFusion
+{
+    private const int N = 4;
+
+    // Chi-square of four, 99.9 %.
+    private const double Gate = 18.47;
+
+    private readonly MotionFilter _there = new();
+    private readonly double[] _state = new double[N];
+    private readonly double[] _covariance = new double[N * N];
+    private readonly double[] _fusedState = new double[N];
+    private readonly double[] _fusedCovariance = new double[N * N];
+    private readonly double[] _correlation = new double[N * 2];
+
+    /// <summary>Our track of the target of an estimate: the nearest one that may be; null for none.</summary>
+    public MovingTrack? Find(List<MovingTrack> tracks, ForeignEstimate estimate)
+    {
+        MovingTrack? nearest = null;
+        double least = Gate;
+        foreach (MovingTrack track in tracks)
+        {
+            bool mayBe = track.Class == estimate.Class
+                && (track.Marker < 0 || estimate.Marker < 0 || track.Marker == estimate.Marker);
+            if (!mayBe || !(Distance(track, estimate) is var distance && distance <= least))
+                continue;
+            (nearest, least) = (track, distance);
+        }
+
+        return nearest;
+    }
+
+    /// <summary>Goes on with both; false where that cannot be.</summary>
+    public bool TryFuse(MovingTrack track, ForeignEstimate estimate, MotionModel model)
+    {
+        Predict(track, estimate.Time);
+        if (!CovarianceIntersection.TryFuse(
+            _state, _covariance, estimate.State, estimate.Covariance, _fusedState, _fusedCovariance, out double own))
+            return false;
+        Correlate(estimate, 1 - own, _fusedCovariance);
+        track.GoOnFrom(estimate, model, _fusedState, _fusedCovariance, _correlation);
+        return true;
+    }
+
+    /// <summary>Starts a track that is known from an estimate alone.</summary>
+    public void Start(MovingTrack track, int id, ForeignEstimate estimate, MotionModel model, double existence)
+    {
+        Correlate(estimate, 1, estimate.Covariance);
+        track.Start(id, estimate, existence);
+        track.GoOnFrom(estimate, model, estimate.State, estimate.Covariance, _correlation);
+    }
+
+    private void Predict(MovingTrack track, TimeSpan time)
+    {
+        track.Filter.PredictTo(time, _there);
+        (_state[0], _state[1], _state[2], _state[3]) =
+            (_there.North, _there.NorthRate, _there.East, _there.EastRate);
+        _there.CopyCovarianceTo(_covariance);
+    }
+
+    private double Distance(MovingTrack track, ForeignEstimate estimate)
+    {
+        Predict(track, estimate.Time);
+        Span<double> sum = stackalloc double[N * N];
+        Span<double> inverse = stackalloc double[N * N];
+        for (int i = 0; i < sum.Length; i++)
+            sum[i] = _covariance[i] + estimate.Covariance[i];
+        if (!CovarianceIntersection.TryInvert(sum, N, inverse))
+            return double.PositiveInfinity;
+        double distance = 0;
+        for (int row = 0; row < N; row++)
+        {
+            for (int column = 0; column < N; column++)
+            {
+                distance += (estimate.State[row] - _state[row]) * inverse[(row * N) + column]
+                    * (estimate.State[column] - _state[column]);
+            }
+        }
+
+        return distance;
+    }
+
+    // How the error of the result depends on what the frame of the other vehicle is off, so that its reports, which are
+    // off by the same, do not make us surer than that: -P w Pe^-1 H' B, for a start -H' B.
+    private void Correlate(ForeignEstimate estimate, double weight, ReadOnlySpan<double> covariance)
+    {
+        Span<double> inverse = stackalloc double[N * N];
+        Array.Clear(_correlation, 0, _correlation.Length);
+        if (!CovarianceIntersection.TryInvert(estimate.Covariance, N, inverse))
+            return;
+        for (int row = 0; row < N; row++)
+        {
+            (double north, double east) = (0, 0);
+            for (int k = 0; k < N; k++)
+            {
+                north += covariance[(row * N) + k] * inverse[k * N];
+                east += covariance[(row * N) + k] * inverse[(k * N) + 2];
+            }
+
+            _correlation[row * 2] = -weight
+                * ((north * estimate.Registration.NorthNorth) + (east * estimate.Registration.NorthEast));
+            _correlation[(row * 2) + 1] = -weight
+                * ((north * estimate.Registration.NorthEast) + (east * estimate.Registration.EastEast));
+        }
+    }
+}
