@@ -23,7 +23,7 @@ internal sealed class PatchColour
     private const double NeutralSigma = 0.055;
 
     // Least channel of a white, level.
-    private const int LeastWhite = 215;
+    private const int MinWhite = 215;
 
     private const double FullBrightness = 1.15;
     private const double BrightnessSigma = 0.15;
@@ -44,7 +44,7 @@ internal sealed class PatchColour
         (_hue, _saturation, _) = ColourRange.Describe(colour.Red, colour.Green, colour.Blue);
         _strongest = colour.Red >= colour.Green && colour.Red >= colour.Blue ? 0 : colour.Green >= colour.Blue ? 1 : 2;
         IsNeutral = _saturation < MinSaturation;
-        IsWhite = IsNeutral && Math.Min(colour.Red, Math.Min(colour.Green, colour.Blue)) >= LeastWhite;
+        IsWhite = IsNeutral && Math.Min(colour.Red, Math.Min(colour.Green, colour.Blue)) >= MinWhite;
         _tint = IsWhite ? 0 : ChromaOf(colour.Red, colour.Green, colour.Blue);
         IsBright = Math.Max(colour.Red, Math.Max(colour.Green, colour.Blue)) >= 128;
         (double hue, _, _) = ColourRange.Describe(

@@ -8,7 +8,9 @@ using Xunit.Abstractions;
 
 namespace Rabit.Uav.Simulation.Tests.Missions;
 
-/// <summary>A walker and a car go below trees and roofs while they are followed by pictures, and keep their tracks.</summary>
+/// <summary>
+/// A walker and a car go below trees and roofs while they are followed by pictures, and keep their tracks.
+/// </summary>
 public sealed class OccludedFollowTests(ITestOutputHelper output)
 {
     private const double NearMetres = 12;

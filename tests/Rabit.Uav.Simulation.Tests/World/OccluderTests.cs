@@ -55,7 +55,8 @@ public sealed class OccluderTests
         };
         var place = new NedPosition(10 + north, 20 + east, 0);
         Assert.Equal(isHidden, tree.Hides(place));
-        Assert.Equal(isHidden || (east < 4 && north < 2), (tree with { Kind = SimulatedOccluderKind.Roof }).Hides(place));
+        SimulatedOccluder roof = tree with { Kind = SimulatedOccluderKind.Roof };
+        Assert.Equal(isHidden || (east < 4 && north < 2), roof.Hides(place));
     }
 
     [Fact]

@@ -15,7 +15,7 @@ public sealed class TrackEstimateTests(ITestOutputHelper output)
     private static readonly TargetClassName Person = new("person");
 
     [Fact]
-    public void Estimate_OfATargetNobodySeesNow_MakesALateVehicleKnowIt()
+    public void Estimate_OfATargetThatIsNotSeenNow_MakesALateVehicleKnowIt()
     {
         using FusionRig first = Rig();
         Walk(first, 20);
