@@ -20,7 +20,10 @@ internal sealed class GroundTexture
     // A power of two above all indices, so that indices left of the origin are positive too.
     private const double IndexOffset = 1 << 28;
 
-    private readonly uint[] _coarse = new uint[Size * Size];   // 0x00RRGGBB
+    // A colour whose channels are 16 bits apart, so that one multiplication weighs all three: 0x0000_00RR_00GG_00BB.
+    private const ulong Channels = 0x00FF_00FF_00FF;
+
+    private readonly ulong[] _coarse = new ulong[Size * Size];
     private readonly byte[] _fine = new byte[Size * Size];     // 128 is the mean
 
     public GroundTexture(ulong seed)
@@ -38,15 +41,15 @@ internal sealed class GroundTexture
     {
         int n = (int)((north * (CoarsePerMetre * 256)) + IndexOffset);
         int e = (int)((east * (CoarsePerMetre * 256)) + IndexOffset);
-        uint colour = CoarseAt(n, e);
+        ulong colour = CoarseAt(n, e);
         if (grain == 0)
-            return colour;
+            return (uint)((colour >> 16) & 0xFF_0000) | (uint)((colour >> 8) & 0xFF00) | (uint)(colour & 0xFF);
 
         n = (int)((north * (FinePerMetre * 256)) + IndexOffset);
         e = (int)((east * (FinePerMetre * 256)) + IndexOffset);
         int light = 256 + ((FineAt(n, e) * grain) >> 8);
-        return (Light(colour >> 16, light) << 16) | (Light((colour >> 8) & 0xFF, light) << 8)
-            | Light(colour & 0xFF, light);
+        return (Light((uint)(colour >> 32), light) << 16) | (Light((uint)(colour >> 16) & 0xFF, light) << 8)
+            | Light((uint)colour & 0xFF, light);
     }
 
     private static uint Light(uint channel, int light)
@@ -55,27 +58,24 @@ internal sealed class GroundTexture
         return (uint)(value > 255 ? 255 : value);
     }
 
-    // Between four neighbours, weights in 1/256; red and blue go in one multiplication.
-    private uint CoarseAt(int n, int e)
+    // Between four neighbours, weights in 1/256.
+    private ulong CoarseAt(int n, int e)
     {
-        uint[] tile = _coarse;
+        ulong[] tile = _coarse;
         int row = ((n >> 8) & Mask) << SizeBits;
         int nextRow = (((n >> 8) + 1) & Mask) << SizeBits;
         int column = (e >> 8) & Mask;
         int nextColumn = (column + 1) & Mask;
         uint partE = (uint)(e & 0xFF);
         uint partN = (uint)(n & 0xFF);
-        uint upper = Blend(tile[row | column], tile[row | nextColumn], partE);
-        uint lower = Blend(tile[nextRow | column], tile[nextRow | nextColumn], partE);
+        ulong upper = Blend(tile[row | column], tile[row | nextColumn], partE);
+        ulong lower = Blend(tile[nextRow | column], tile[nextRow | nextColumn], partE);
         return Blend(upper, lower, partN);
     }
 
-    private static uint Blend(uint a, uint b, uint part)
-    {
-        uint redBlue = ((((a & 0xFF00FF) * (256 - part)) + ((b & 0xFF00FF) * part)) >> 8) & 0xFF00FF;
-        uint green = ((((a & 0x00FF00) * (256 - part)) + ((b & 0x00FF00) * part)) >> 8) & 0x00FF00;
-        return redBlue | green;
-    }
+    // a * (256 - part) + b * part: a channel that is below zero on the way borrows from the next, and gives it back.
+    private static ulong Blend(ulong a, ulong b, uint part)
+        => unchecked(((a << 8) + ((b - a) * part)) >> 8) & Channels;
 
     private int FineAt(int n, int e)
     {
@@ -86,10 +86,13 @@ internal sealed class GroundTexture
         int nextColumn = (column + 1) & Mask;
         int partE = e & 0xFF;
         int partN = n & 0xFF;
-        int upper = (tile[row | column] * (256 - partE)) + (tile[row | nextColumn] * partE);
-        int lower = (tile[nextRow | column] * (256 - partE)) + (tile[nextRow | nextColumn] * partE);
-        return (((upper * (256 - partN)) + (lower * partN)) >> 16) - 128;
+        int upper = Blend(tile[row | column], tile[row | nextColumn], partE);
+        int lower = Blend(tile[nextRow | column], tile[nextRow | nextColumn], partE);
+        return (Blend(upper, lower, partN) >> 16) - 128;
     }
+
+    // 256 times what is between.
+    private static int Blend(int a, int b, int part) => (a << 8) + ((b - a) * part);
 
     private void FillCoarse(ref SeededSequence random)
     {
@@ -107,8 +110,8 @@ internal sealed class GroundTexture
                 bare = Math.Max(
                     bare, 0.85 * track.BareAt(row / (double)CoarsePerMetre, column / (double)CoarsePerMetre));
                 double gain = 0.72 + (0.56 * light[at]);
-                _coarse[at] = (Mix(84, 128, 132, dry, bare, gain) << 16)
-                    | (Mix(104, 124, 114, dry, bare, gain) << 8)
+                _coarse[at] = ((ulong)Mix(84, 128, 132, dry, bare, gain) << 32)
+                    | ((ulong)Mix(104, 124, 114, dry, bare, gain) << 16)
                     | Mix(56, 78, 88, dry, bare, gain);
             }
         }
