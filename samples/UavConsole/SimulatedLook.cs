@@ -22,6 +22,9 @@ internal sealed class SimulatedLook
     /// <summary>How many of them are overgrown.</summary>
     public int PartlyHidden { get; init; }
 
+    /// <summary>How many trees and roofs hide what is below them.</summary>
+    public int Occluders { get; init; }
+
     /// <summary>Before the world is made.</summary>
     public void ApplyTo(SimulationOptions world)
     {
@@ -31,6 +34,7 @@ internal sealed class SimulatedLook
         else if (Effects == "harsh")
             Apply(world.Camera, SimulatedPictureEffects.CreateHarsh(), exposureMilliseconds: 12);
         (world.TargetKinds, world.PartlyHiddenCount) = (TargetKinds, PartlyHidden);
+        world.OccluderCount = Occluders;
     }
 
     private static void Apply(SimulatedCameraOptions camera, SimulatedPictureEffects effects, int exposureMilliseconds)

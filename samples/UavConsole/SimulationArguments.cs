@@ -44,13 +44,21 @@ internal static class SimulationArguments
         CustomParser = ParseCount,
     };
 
+    private static readonly Option<int?> Occluders = new("--occluders")
+    {
+        Description = "How many trees and roofs of the simulated world hide what is below them from the camera, 0 to "
+            + $"{MaxTargets}: over the ways of the targets that move, or anywhere where none does. 0 without it.",
+        HelpName = "N",
+        CustomParser = ParseCount,
+    };
+
     static SimulationArguments()
     {
         Gimbal.AcceptOnlyFromAmong("body", "heading", "north");
         Effects.AcceptOnlyFromAmong("none", "moderate", "harsh");
     }
 
-    public static IEnumerable<Option> All => [Gimbal, TargetKinds, PartlyHidden, Effects];
+    public static IEnumerable<Option> All => [Gimbal, TargetKinds, PartlyHidden, Occluders, Effects];
 
     /// <summary>Puts what was asked for into the options of the world.</summary>
     public static SimulatedLook Read(ParseResult result) => new()
@@ -64,6 +72,7 @@ internal static class SimulationArguments
         Effects = result.GetValue(Effects),
         TargetKinds = result.GetValue(TargetKinds) ?? [],
         PartlyHidden = result.GetValue(PartlyHidden) ?? 0,
+        Occluders = result.GetValue(Occluders) ?? 0,
     };
 
     public static IEnumerable<string> FindFaults(ParseResult result, Given given)
@@ -91,7 +100,7 @@ internal static class SimulationArguments
         string text = result.Tokens[0].Value;
         if (int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int count) && count <= MaxTargets)
             return count;
-        result.AddError($"--partly-hidden {text}: it must be a number from 0 to {MaxTargets}.");
+        result.AddError($"{((OptionResult)result.Parent!).Option.Name} {text}: it must be a number from 0 to {MaxTargets}.");
         return null;
     }
 }

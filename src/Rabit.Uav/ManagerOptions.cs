@@ -130,72 +130,9 @@ internal static class ManagerOptions
         made.Dialect = DialectOf(options);
         made.Subscriptions = SubscriptionsOf(options);
         made.SendsTargets ??= options.Has(UavManagers.SensorFusion);
-        made.VehicleMessageRoutes =
-        [
-            new VehicleMessageRoute<TargetReport>(
-                new TargetReportCodec(), MessageNames.OutgoingTargetReports, MessageNames.TargetReports)
-            {
-                Lifetime = TimeSpan.FromSeconds(5),
-            },
-            .. options.MissionControl.Group is not null && options.Has(UavManagers.MissionControl) ? GroupRoutes() : [],
-            .. SharesTracks(options) ? new VehicleMessageRoute[] { TrackRoute() } : [],
-            .. options.Communications.VehicleMessageRoutes,
-        ];
+        made.VehicleMessageRoutes = [.. VehicleRoutes.Of(options), .. options.Communications.VehicleMessageRoutes];
         return made;
     }
-
-    private static bool SharesTracks(UavOptions options)
-        => options.MissionControl.Group is not null && options.Has(UavManagers.SensorFusion)
-            && options.Has(UavManagers.Communications);
-
-    // Sent every 10 s.
-    private static VehicleMessageRoute<TrackEstimate> TrackRoute()
-        => new(new TrackEstimateCodec(), MessageNames.OutgoingTrackEstimates, MessageNames.TrackEstimates)
-        {
-            Lifetime = TimeSpan.FromSeconds(5),
-        };
-
-    // All are repeated, so that none needs to be acknowledged.
-    private static VehicleMessageRoute[] GroupRoutes() =>
-    [
-        new VehicleMessageRoute<GroupReport>(
-            new GroupReportCodec(), MessageNames.OutgoingGroupReports, MessageNames.GroupReports)
-        {
-            Class = VehicleMessageClass.State,
-            Lifetime = TimeSpan.FromSeconds(2),
-        },
-        new VehicleMessageRoute<LaneDivision>(
-            new LaneDivisionCodec(), MessageNames.OutgoingLaneDivisions, MessageNames.LaneDivisions)
-        {
-            Lifetime = TimeSpan.FromSeconds(2),
-        },
-        new VehicleMessageRoute<LaneCoverage>(
-            new LaneCoverageCodec(), MessageNames.OutgoingLaneCoverages, MessageNames.LaneCoverages)
-        {
-            Class = VehicleMessageClass.Bulk,
-            Lifetime = TimeSpan.FromSeconds(20),
-        },
-        new VehicleMessageRoute<ValidationTask>(
-            new ValidationTaskCodec(), MessageNames.OutgoingValidationTasks, MessageNames.ValidationTasks)
-        {
-            Lifetime = TimeSpan.FromSeconds(1),
-        },
-        new VehicleMessageRoute<ValidationBid>(
-            new ValidationBidCodec(), MessageNames.OutgoingValidationBids, MessageNames.ValidationBids)
-        {
-            Lifetime = TimeSpan.FromSeconds(1),
-        },
-        new VehicleMessageRoute<FollowTask>(
-            new FollowTaskCodec(), MessageNames.OutgoingFollowTasks, MessageNames.FollowTasks)
-        {
-            Lifetime = TimeSpan.FromSeconds(1),
-        },
-        new VehicleMessageRoute<FollowBid>(
-            new FollowBidCodec(), MessageNames.OutgoingFollowBids, MessageNames.FollowBids)
-        {
-            Lifetime = TimeSpan.FromSeconds(1),
-        },
-    ];
 
     /// <summary>The settings of the links by their numbers: live ones first, then logs; a URL says more.</summary>
     public static IReadOnlyDictionary<int, LinkSettings> LinkSettingsOf(UavOptions options)
@@ -258,7 +195,7 @@ internal static class ManagerOptions
         SensorFusionOptions made = MissionOf(options) is { TargetMotions.IsEmpty: false } mission
             ? options.Fusion.With(mission.TargetMotions)
             : options.Fusion;
-        return SharesTracks(options) ? made.WithSharedTracks() : made;
+        return VehicleRoutes.HaveTracks(options) ? made.WithSharedTracks() : made;
     }
 
     public static MissionControlOptions ForMissionControl(UavOptions options)

@@ -91,6 +91,7 @@ public sealed class BadInputTests : IDisposable
         "--target-kinds: 'tank' is no kind of target; there are coloured, white, black, two-coloured, person, "
         + "car, aruco, apriltag.")]
     [InlineData("--partly-hidden -1", "--partly-hidden -1: it must be a number from 0 to 50.")]
+    [InlineData("--occluders many", "--occluders many: it must be a number from 0 to 50.")]
     [InlineData("--link udpin:127.0.0.1:14550 --target-kinds aruco", "--target-kinds is for the simulation")]
     [InlineData("--link udpin:127.0.0.1:14550 --partly-hidden 1", "--partly-hidden is for the simulation")]
     [InlineData("--moving 3 --targets 2", "--moving is more than there are targets")]

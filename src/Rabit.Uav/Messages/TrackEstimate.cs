@@ -16,7 +16,7 @@ public struct TrackEstimate
     public int TrackId { get; set; }
 
     /// <summary>
-    /// The picture of its last report there. With the source and <see cref="TrackId"/> it is the identity of the
+    /// The last picture in which that vehicle saw the target itself. With the source and <see cref="TrackId"/> it is the identity of the
     /// estimate: each counts once.
     /// </summary>
     public long PictureNumber { get; set; }

@@ -13,9 +13,10 @@ internal static class EstimateCheck
     private const double MaxAltitudeMetres = 20_000;
     private const double MaxSpeed = 100;
 
-    // A filter has no use for one that claims a millimetre, or may be a kilometre off.
+    // One that claims less than a millimetre is not true, and one that is less certain than a track that is taken for
+    // lost is of no use.
     private const double MinSigma = 0.001;
-    private const double MaxSigma = 200;
+    private const double MaxSigma = MovingTargets.LostSigmaMetres;
 
     private static readonly TimeSpan FutureTolerance = TimeSpan.FromSeconds(1);
 

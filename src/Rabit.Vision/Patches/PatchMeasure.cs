@@ -123,6 +123,7 @@ public sealed class PatchMeasure
     {
         (double sum, double sumX, double sumY, double sumXX, double sumXY, double sumYY) = (0, 0, 0, 0, 0, 0);
         (int left, int right, int top, int bottom) = (int.MaxValue, -1, int.MaxValue, -1);
+        shape.CutLength = 0;
         for (int row = 0; row < _map.Rows; row++)
         {
             for (int column = 0; column < _map.Columns; column++)

@@ -33,12 +33,16 @@ public sealed class TrackEstimateTests(ITestOutputHelper output)
         // Twice 2 m per axis are added: what its frame is off from ours.
         Assert.Equal(sent.Covariance.NorthNorth + 4, track.Covariance.NorthNorth, 1e-3);
 
-        // One report of our own makes it a track like others: its velocity is known already.
-        double north = FusionRig.PlaceOf(track).North + (late.Now - track.Time).TotalSeconds + 0.5;
-        late.Observe(north, 0, FusionRig.Report(north, 0, Person));
-        Assert.Equal(track.Id, late.Only.Id);
-        Assert.Equal(TrackState.Confirmed, late.Only.State);
-        Assert.InRange(late.Only.VelocityNed.North, 0.5, 1.5);
+        // Reports of our own make it a track like others, one does not; its velocity is known already.
+        double north = FusionRig.PlaceOf(track).North + (late.Now - track.Time).TotalSeconds;
+        for (int i = 1; i <= 3; i++)
+        {
+            late.Observe(north + (0.5 * i), 0, FusionRig.Report(north + (0.5 * i), 0, Person));
+            Assert.Equal(track.Id, late.Only.Id);
+            Assert.Equal(i < 3 ? TrackState.Tentative : TrackState.Confirmed, late.Only.State);
+            Assert.InRange(late.Only.VelocityNed.North, 0.5, 1.5);
+        }
+
         Assert.Equal(1, late.Counters.EstimatesUsed);
     }
 
@@ -154,6 +158,7 @@ public sealed class TrackEstimateTests(ITestOutputHelper output)
                 good with { Covariance = new HorizontalCovariance(double.PositiveInfinity, 0, 1) },
                 good with { VelocityCovariance = new HorizontalCovariance(-1, 0, 1) },
                 good with { NorthWithNorthRate = 50 },
+                good with { Covariance = new HorizontalCovariance(700, 0, 1) },
                 good with { EastWithEastRate = double.NaN },
             ],
             [ReportFault.Description] = [good with { Class = TargetClassName.None }],
@@ -169,6 +174,62 @@ public sealed class TrackEstimateTests(ITestOutputHelper output)
         rig.Push(good with { Time = rig.Now });
         rig.Run(1.5);
         Assert.Single(rig.Tracks);
+    }
+
+    // Of a vehicle without a fix: our own camera must not be taken for the one that is far away.
+    [Fact]
+    public void Estimate_FarFromOurFirstReport_DoesNotHoldTheFrame()
+    {
+        using FusionRig rig = Rig();
+        rig.Run(1);
+        rig.Push(Known(2, TimeSpan.FromSeconds(0.5), 30_000, new HorizontalCovariance(1, 0, 1)));
+        rig.Run(1.5);
+        Walk(rig, 6);
+
+        Assert.Equal(0, rig.Counters.ReportsRefused);
+        Assert.Equal(6, rig.Only.Reports);
+    }
+
+    [Fact]
+    public void Estimate_FarFromOurTracks_IsRefusedAndLeavesThem()
+    {
+        using FusionRig rig = Rig();
+        rig.Observe(0, 0, FusionRig.Report(0, 0, Person));
+        rig.Push(Known(2, rig.Now, 30_000, new HorizontalCovariance(1, 0, 1)));
+        rig.Run(0.2);
+
+        Assert.Equal(1, rig.Counters.EstimatesRefused);
+        Assert.Equal(1, rig.Only.Reports);
+    }
+
+    [Fact]
+    public void Estimates_OfMoreTracksThanHalfOfTheRoom_LeaveRoomForOurs()
+    {
+        using FusionRig rig = new(o =>
+        {
+            o.TargetMotions = o.TargetMotions.Add(Person, TargetMotion.Walking);
+            o.SharesTracks = true;
+            o.MaxTracks = 10;
+        });
+        rig.Run(1);
+        for (int i = 0; i < 8; i++)
+            rig.Push(Known(2, rig.Now, 100 * i, new HorizontalCovariance(1, 0, 1)) with { TrackId = i + 1 });
+        rig.Run(1.5);
+
+        Assert.Equal(5, rig.Tracks.Count);
+        Assert.Equal(3, rig.Counters.EstimatesWithoutRoom);
+        rig.Run(40);
+        Assert.Empty(rig.Tracks);
+    }
+
+    [Fact]
+    public void Estimates_OfTenTracks_GoOutInTurn()
+    {
+        using FusionRig rig = Rig();
+        for (int i = 0; i < 60; i++)
+            rig.Observe(0, 0, [.. Enumerable.Range(0, 10).Select(k => FusionRig.Report(0.5 * i, 20 * k, Person))]);
+
+        Assert.Equal(10, rig.SentEstimates.Select(e => e.Content.TrackId).Distinct().Count());
     }
 
     [Fact]

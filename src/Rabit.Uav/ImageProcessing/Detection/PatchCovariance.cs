@@ -32,7 +32,7 @@ internal static class PatchCovariance
         double off = (shape.MomentXX - shape.MomentYY) / 2;
         double half = Math.Sqrt((off * off) + (shape.MomentXY * shape.MomentXY));
         double least = mean - half;
-        double aspect = Math.Sqrt((mean + half - PatchCost.BlurVariance)
+        double aspect = Math.Sqrt(Math.Max(0.2, mean + half - PatchCost.BlurVariance)
             / Math.Max(0.2, least - PatchCost.BlurVariance));
         double ends = EndSigma * EndSigma * Math.Min(1, Math.Max(0, aspect - MaxPlainAspect));
         return new PixelCovariance(

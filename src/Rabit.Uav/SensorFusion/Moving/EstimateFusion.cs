@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Rabit.Geodesy;
 
 namespace Rabit.Uav.SensorFusion.Moving;
 
@@ -13,6 +14,10 @@ internal sealed class EstimateFusion
 
     // Chi-square of four, 99.9 %.
     private const double Gate = 18.47;
+
+    // What is further off than this, beside what both may be uncertain, is another target: a cheap look first.
+    private const double MaxSpeed = 60;
+    private const double MaxDeviation = 6;
 
     private readonly MotionFilter _there = new();
     private readonly double[] _state = new double[N];
@@ -30,7 +35,7 @@ internal sealed class EstimateFusion
         {
             bool mayBe = track.Class == estimate.Class
                 && (track.Marker < 0 || estimate.Marker < 0 || track.Marker == estimate.Marker);
-            if (!mayBe || !(Distance(track, estimate) is var distance && distance <= least))
+            if (!mayBe || IsFarOff(track, estimate) || !(Distance(track, estimate) is var distance && distance <= least))
                 continue;
             (nearest, least) = (track, distance);
         }
@@ -64,6 +69,17 @@ internal sealed class EstimateFusion
         (_state[0], _state[1], _state[2], _state[3]) =
             (_there.North, _there.NorthRate, _there.East, _there.EastRate);
         _there.CopyCovarianceTo(_covariance);
+    }
+
+    private static bool IsFarOff(MovingTrack track, ForeignEstimate estimate)
+    {
+        MotionFilter here = track.Filter.Current;
+        HorizontalCovariance own = here.PositionCovariance;
+        double variance = Math.Max(own.NorthNorth, own.EastEast)
+            + Math.Max(estimate.Covariance[0], estimate.Covariance[10]);
+        double reach = (MaxDeviation * Math.Sqrt(variance))
+            + (MaxSpeed * Math.Abs((estimate.Time - track.LastSeen).TotalSeconds));
+        return Math.Abs(estimate.State[0] - here.North) > reach || Math.Abs(estimate.State[2] - here.East) > reach;
     }
 
     private double Distance(MovingTrack track, ForeignEstimate estimate)

@@ -12,6 +12,9 @@ internal enum EstimateResult
     /// <summary>Ours is as new.</summary>
     NotNeeded,
 
-    /// <summary>There are too many tracks.</summary>
+    /// <summary>Its numbers do not go together with ours.</summary>
+    Unusable,
+
+    /// <summary>There are too many tracks, or half of them are known from other vehicles alone.</summary>
     WithoutRoom,
 }

@@ -16,7 +16,9 @@ internal sealed class MovingTargets
     private const double DetectionProbability = 0.9;
 
     // Beyond this a picture does not show where it is any more.
-    private const double LostSigmaMetres = 25;
+    /// <summary>A track that is less certain than this, standard deviation along the worst axis, is lost.</summary>
+    public const double LostSigmaMetres = 25;
+
 
     private readonly TargetClassName[] _classes;
     private readonly TargetMotion[] _motions;
@@ -53,7 +55,7 @@ internal sealed class MovingTargets
     /// <summary>Whether a class moves.</summary>
     public bool Has(TargetClassName name) => Array.IndexOf(_classes, name) >= 0;
 
-    /// <summary>Whether any track is confirmed.</summary>
+    /// <summary>Whether any track is confirmed, by reports.</summary>
     public bool HasConfirmed => _tracker.Tracks.Any(t => t.IsConfirmed);
 
     /// <summary>Whether there is any track.</summary>
@@ -112,20 +114,38 @@ internal sealed class MovingTargets
             case EstimateResult.NotNeeded:
                 _statistics.EstimatesNotNeeded++;
                 return false;
+            case EstimateResult.Unusable:
+                _statistics.EstimatesRefused++;
+                _statistics.Refusals.Add(estimate.SourceSystemId, ReportFault.Covariance);
+                return false;
             default:
                 _statistics.EstimatesWithoutRoom++;
                 return false;
         }
     }
 
-    /// <summary>What we know of the targets that we have seen ourselves, for other vehicles.</summary>
+    /// <summary>Deletes tracks that no report has confirmed, and of which no vehicle has known since.</summary>
+    /// <returns>Whether there were any.</returns>
+    public bool DeleteUnconfirmedOfOthers(TimeSpan since)
+    {
+        int deleted = _tracker.DeleteUnconfirmedOfOthers(since);
+        _statistics.TracksDropped += deleted;
+        return deleted > 0;
+    }
+
+    /// <summary>
+    /// What we know of the targets that we have seen ourselves, for other vehicles; without those that the operator has
+    /// rejected.
+    /// </summary>
     /// <param name="frame">The local frame.</param>
     /// <param name="since">Older ones are of no use.</param>
     public IEnumerable<TrackEstimate> Estimates(LocalNedFrame frame, TimeSpan since)
     {
         foreach (MovingTrack track in _tracker.Tracks)
         {
-            if (track.IsConfirmed && track.Description.LastOwnPicture >= 0 && track.LastSeen >= since)
+            TargetDescription description = track.Description;
+            if (track.IsConfirmed && description is { LastOwnPicture: >= 0, Decision: not TargetDecision.Rejected }
+                && track.LastSeen >= since)
                 yield return EstimateOf(track, frame);
         }
     }
@@ -219,8 +239,7 @@ internal sealed class MovingTargets
                 return TrackState.Rejected;
         }
 
-        // What only another vehicle has seen is not known to be there.
-        if (!track.IsConfirmed || track.Points == 0)
+        if (!track.IsConfirmed)
             return TrackState.Tentative;
         HorizontalCovariance c = track.Widest.Covariance;
         bool isLost = track.Existence < 0.5

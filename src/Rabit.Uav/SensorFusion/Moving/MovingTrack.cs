@@ -52,6 +52,9 @@ internal sealed class MovingTrack(TrackerSettings settings)
     /// <summary>Whether it is confirmed, and all its points are still kept.</summary>
     public bool IsYoung => IsConfirmed && !Filter.Before.IsStarted;
 
+    /// <summary>Whether no report of it has come yet: only another vehicle knows of it.</summary>
+    public bool IsOfOthers => Points == 0;
+
     public int Points { get; private set; }
 
     public int Misses { get; private set; }
@@ -95,12 +98,15 @@ internal sealed class MovingTrack(TrackerSettings settings)
         Filter.Take(point.Measurement);
     }
 
-    /// <summary>Starts with what another vehicle knows of a target; <see cref="GoOnFrom"/> follows.</summary>
+    /// <summary>
+    /// Starts with what another vehicle knows of a target; <see cref="GoOnFrom"/> follows. Reports confirm it, as they do
+    /// any other.
+    /// </summary>
     public void Start(int id, ForeignEstimate estimate, double existence)
     {
         (Id, Class, Marker) = (id, estimate.Class, estimate.Marker);
         (Existence, StartExistence, _hidden) = (existence, existence, 0);
-        (IsConfirmed, IsOccluded, Points, Misses) = (true, false, 0, 0);
+        (IsConfirmed, IsOccluded, Points, Misses) = (false, false, 0, 0);
         (Widest, _quiet, _hasTwoModes) = (default, default, false);
         (MissProbability, IsTooNew) = (1, false);
         FirstSeen = estimate.Time;
@@ -183,6 +189,7 @@ internal sealed class MovingTrack(TrackerSettings settings)
             Filter.Take(measurement);
         (Existence, _hidden, IsOccluded) = (later.Existence, later._hidden, later.IsOccluded);
         (History, LastPointCovariance) = (later.History, later.LastPointCovariance);
+        Description.GoOnAs(later.Description);
         Points += later.Points;
         Misses += later.Misses;
         if (later.Marker >= 0)
@@ -205,7 +212,7 @@ internal sealed class MovingTrack(TrackerSettings settings)
     {
         if (Existence < (IsConfirmed ? settings.Delete : settings.DeleteTentative * StartExistence))
             return true;
-        if (!IsConfirmed && now - LastSeen > settings.TentativeLifetime)
+        if (!IsConfirmed && now - LastSeen > (IsOfOthers ? settings.MaxOccluded : settings.TentativeLifetime))
             return true;
         if (IsTooNew)
             return false;

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Rabit.Geodesy;
 
 namespace Rabit.Uav.SensorFusion.Moving;
@@ -134,18 +135,32 @@ internal sealed class MovingTracker
         MotionModel model = _models[estimate.Class];
         if (_estimates.Find(_tracks, estimate) is { } track)
         {
-            bool isNewer = estimate.Time > track.LastSeen + _settings.EstimateNewerBy;
-            return isNewer && _estimates.TryFuse(track, estimate, model)
-                ? EstimateResult.Fused
-                : EstimateResult.NotNeeded;
+            if (estimate.Time <= track.LastSeen + _settings.EstimateNewerBy)
+                return EstimateResult.NotNeeded;
+            return _estimates.TryFuse(track, estimate, model) ? EstimateResult.Fused : EstimateResult.Unusable;
         }
 
-        if (_unused.Count == 0)
+        // Targets of our own always find room.
+        if (_unused.Count == 0 || _tracks.Count(t => t.IsOfOthers) >= _settings.MaxTracks / 2)
             return EstimateResult.WithoutRoom;
         MovingTrack started = _unused.Pop();
         _estimates.Start(started, _nextId(), estimate, model, _settings.Confirm);
         _tracks.Add(started);
         return EstimateResult.Started;
+    }
+
+    /// <summary>Deletes tracks that are known from other vehicles alone, and from before a time.</summary>
+    /// <returns>How many.</returns>
+    public int DeleteUnconfirmedOfOthers(TimeSpan since)
+    {
+        long before = TracksDeleted;
+        for (int t = _tracks.Count - 1; t >= 0; t--)
+        {
+            if (_tracks[t].IsOfOthers && _tracks[t].LastSeen < since)
+                Remove(t);
+        }
+
+        return (int)(TracksDeleted - before);
     }
 
     private void Expect(in Scan scan, HorizontalCovariance registration)

@@ -42,6 +42,17 @@ internal sealed class TargetDescription
         (SharedTime, Decision) = (null, TargetDecision.None);
     }
 
+    /// <summary>Adds what is known of the same target since.</summary>
+    public void GoOnAs(TargetDescription later)
+    {
+        (_sizeSum, _sizes) = (_sizeSum + later._sizeSum, _sizes + later._sizes);
+        (Down, Bearing) = (later.Down, later.Bearing);
+        LastOwnPicture = Math.Max(LastOwnPicture, later.LastOwnPicture);
+        SharedTime = later.SharedTime ?? SharedTime;
+        if (later.Decision != TargetDecision.None)
+            Decision = later.Decision;
+    }
+
     public void Add(in LocatedReport report)
     {
         Down = report.Down;
