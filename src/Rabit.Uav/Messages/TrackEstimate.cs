@@ -16,8 +16,8 @@ public struct TrackEstimate
     public int TrackId { get; set; }
 
     /// <summary>
-    /// The last picture in which that vehicle saw the target itself. With the source and <see cref="TrackId"/> it is the identity of the
-    /// estimate: each counts once.
+    /// The last picture in which that vehicle saw the target. With the source and <see cref="TrackId"/> it is the
+    /// identity of the estimate: each counts once.
     /// </summary>
     public long PictureNumber { get; set; }
 

@@ -35,7 +35,8 @@ internal sealed class EstimateFusion
         {
             bool mayBe = track.Class == estimate.Class
                 && (track.Marker < 0 || estimate.Marker < 0 || track.Marker == estimate.Marker);
-            if (!mayBe || IsFarOff(track, estimate) || !(Distance(track, estimate) is var distance && distance <= least))
+            if (!mayBe || IsFarOff(track, estimate)
+                || !(Distance(track, estimate) is var distance && distance <= least))
                 continue;
             (nearest, least) = (track, distance);
         }

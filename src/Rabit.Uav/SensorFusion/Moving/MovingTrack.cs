@@ -99,8 +99,8 @@ internal sealed class MovingTrack(TrackerSettings settings)
     }
 
     /// <summary>
-    /// Starts with what another vehicle knows of a target; <see cref="GoOnFrom"/> follows. Reports confirm it, as they do
-    /// any other.
+    /// Starts with what another vehicle knows of a target; <see cref="GoOnFrom"/> follows. Reports confirm it, as they
+    /// do any other.
     /// </summary>
     public void Start(int id, ForeignEstimate estimate, double existence)
     {
