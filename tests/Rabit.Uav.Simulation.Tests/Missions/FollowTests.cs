@@ -44,26 +44,10 @@ public sealed class FollowTests(ITestOutputHelper output)
         Motions = [SimulatedMotion.Walking, SimulatedMotion.Vehicle],
     };
 
-    // The classes that move in the world of a seed.
-    private static MissionPlan Plan(int seed)
-    {
-        MissionPlan plan = SearchFlight.BundledPlan();
-        SimulationOptions options = World(seed);
-        options.TakePlacesFrom(plan);
-        string motions = string.Join(", ", new SimulatedWorld(options).Targets
-            .Where(t => t.Motion != SimulatedMotion.Standing)
-            .Select(t => $"\"{t.Class}\": \"{(t.Motion == SimulatedMotion.Walking ? "walking" : "vehicle")}\""));
-        return MissionPlan.Parse(
-            SearchFlight.BundledText.Replace(
-                "\"targets\"",
-                $"\"targetMotions\": {{ {motions} }}, "
-                + "\"revisit\": { \"followSpeedMetresPerSecond\": 12 }, \"targets\""),
-            "moving");
-    }
-
     private FollowFigures Fly(int seed)
     {
-        using var flight = new SearchFlight(Plan(seed), World(seed));
+        using var flight = new SearchFlight(
+            SearchFlight.FollowingPlan(World(seed), "\"followSpeedMetresPerSecond\": 12"), World(seed));
         Dictionary<TargetClassName, SimulatedTarget> moving = flight.World.Targets
             .Where(t => t.Motion != SimulatedMotion.Standing).ToDictionary(t => t.Class);
         var figures = new FollowFigures();

@@ -35,7 +35,8 @@ public sealed class OccludedFollowTests(ITestOutputHelper output)
             Motions = [SimulatedMotion.Walking, SimulatedMotion.Vehicle],
             OccluderCount = 8,
         };
-        using var flight = new SearchFlight(Plan(options), options);
+        using var flight = new SearchFlight(SearchFlight.FollowingPlan(
+            options, "\"followSeconds\": 90, \"followSpeedMetresPerSecond\": 12"), options);
         Passage[] passages = flight.World.Targets.Where(t => t.Motion != SimulatedMotion.Standing)
             .Select(t => new Passage(t)).ToArray();
         flight.FlyUntil(
@@ -51,20 +52,6 @@ public sealed class OccludedFollowTests(ITestOutputHelper output)
         foreach (Passage passage in passages)
             output.WriteLine($"seed {seed}: {passage}");
         return passages;
-    }
-
-    private static MissionPlan Plan(SimulationOptions options)
-    {
-        options.TakePlacesFrom(SearchFlight.BundledPlan());
-        string motions = string.Join(", ", new SimulatedWorld(options).Targets
-            .Where(t => t.Motion != SimulatedMotion.Standing)
-            .Select(t => $"\"{t.Class}\": \"{(t.Motion == SimulatedMotion.Walking ? "walking" : "vehicle")}\""));
-        return MissionPlan.Parse(
-            SearchFlight.BundledText.Replace(
-                "\"targets\"",
-                $"\"targetMotions\": {{ {motions} }}, \"revisit\": "
-                + "{ \"followSeconds\": 90, \"followSpeedMetresPerSecond\": 12 }, \"targets\""),
-            "hidden");
     }
 
     // The track of a target before it goes below something, and that when it is seen again soon after.

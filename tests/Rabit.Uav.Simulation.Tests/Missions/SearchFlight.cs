@@ -122,6 +122,19 @@ internal sealed class SearchFlight : IDisposable
     /// <summary>The mission that UavConsole flies without arguments.</summary>
     public static MissionPlan BundledPlan() => MissionPlan.Parse(BundledText, "search");
 
+    /// <summary>The bundled plan, which declares the classes that move in a world and follows such targets.</summary>
+    /// <param name="options">Of the world, which takes its places from the plan.</param>
+    /// <param name="revisit">The members of "revisit" in the mission file.</param>
+    public static MissionPlan FollowingPlan(SimulationOptions options, string revisit)
+    {
+        options.TakePlacesFrom(BundledPlan());
+        string motions = string.Join(", ", new SimulatedWorld(options).Targets
+            .Where(t => t.Motion != SimulatedMotion.Standing)
+            .Select(t => $"\"{t.Class}\": \"{(t.Motion == SimulatedMotion.Walking ? "walking" : "vehicle")}\""));
+        string members = $"\"targetMotions\": {{ {motions} }}, \"revisit\": {{ {revisit} }}, ";
+        return MissionPlan.Parse(BundledText.Replace("\"targets\"", members + "\"targets\""), "following");
+    }
+
     /// <summary>As <see cref="SmallMission"/>.</summary>
     public static MissionPlan SmallPlan() => MissionPlan.Parse(SmallMission, "small");
 
