@@ -1,11 +1,14 @@
 using System;
+#if NET
+using System.Runtime.Intrinsics.X86;
+#endif
 
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
 /// Paints ground and sky: for each pixel the ray through the lens, met with the flat ground. Allocates nothing.
 /// </summary>
-internal sealed class GroundPainter(LensRays lens, GroundTexture texture)
+internal sealed partial class GroundPainter(LensRays lens, GroundTexture texture)
 {
     /// <summary>
     /// Below this height above the ground the lens is in the grass: the picture is dark, and nothing is seen.
@@ -22,51 +25,56 @@ internal sealed class GroundPainter(LensRays lens, GroundTexture texture)
     private const uint Haze = 0xC6_CC_D2;
     private const uint Zenith = 0x8C_A8_CC;
 
+#if NET
+    /// <summary>Whether several bytes are made at a time, where the processor can; the bytes are the same.</summary>
+    public bool UsesVectors { get; set; } = Avx2.IsSupported;
+#endif
+
     public void Paint(in CameraPose pose, byte[] pixels)
     {
+        int count = lens.Width * lens.Height;
         if (pose.Height < MinHeight)
         {
-            Fill(pixels, lens.Width * lens.Height * 3);
+            Fill(pixels, count * 3);
             return;
         }
 
-        Vector3 axis = pose.Axes.Forward;
-        Vector3 right = pose.Axes.Right;
-        Vector3 below = pose.Axes.Down;
-        double height = pose.Height;
-        double northFrom = pose.North - (GroundTexture.Period * Math.Floor(pose.North / GroundTexture.Period));
-        double eastFrom = pose.East - (GroundTexture.Period * Math.Floor(pose.East / GroundTexture.Period));
-        double leastDown = height / MaxGroundDistance;
-        double grainPerDown = 256 * GrainMetres * lens.Focal / height;
+        var view = new GroundView(pose, lens.Focal);
+        int painted = 0;
+#if NET
+        if (UsesVectors)
+            painted = PaintFours(view, pixels, count);
+#endif
+        PaintOnes(view, pixels, painted, count);
+    }
+
+    private void PaintOnes(in GroundView view, byte[] pixels, int from, int end)
+    {
         double[] rays = lens.Rays;
-        int count = lens.Width * lens.Height;
-        int to = 0;
-        for (int i = 0; i < count; i++)
+        int to = 3 * from;
+        for (int i = from; i < end; i++)
         {
             double x = rays[2 * i];
             double y = rays[(2 * i) + 1];
-            double down = (x * right.Third) + (y * below.Third) + axis.Third;
-            uint colour;
-            if (down < leastDown)
-            {
-                colour = SkyAt(down, x, y);
-            }
-            else
-            {
-                double along = height / down;
-                double north = northFrom + (along * ((x * right.First) + (y * below.First) + axis.First));
-                double east = eastFrom + (along * ((x * right.Second) + (y * below.Second) + axis.Second));
-                double grain = grainPerDown * down;
-                colour = texture.ColourAt(north, east, grain < 256 ? (int)grain : 256);
-                if (along > HazeFrom)
-                    colour = Mix(colour, Haze, (along - HazeFrom) / (MaxGroundDistance - HazeFrom));
-            }
-
+            double down = (x * view.Right.Third) + (y * view.Below.Third) + view.Axis.Third;
+            uint colour = down < view.MinDown ? SkyAt(down, x, y) : GroundAt(view, down, x, y);
             pixels[to] = (byte)(colour >> 16);
             pixels[to + 1] = (byte)(colour >> 8);
             pixels[to + 2] = (byte)colour;
             to += 3;
         }
+    }
+
+    private uint GroundAt(in GroundView view, double down, double x, double y)
+    {
+        double along = view.Height / down;
+        double north = view.North + (along * ((x * view.Right.First) + (y * view.Below.First) + view.Axis.First));
+        double east = view.East + (along * ((x * view.Right.Second) + (y * view.Below.Second) + view.Axis.Second));
+        double grain = Math.Min(view.GrainPerDown * down, GroundTexture.AllGrain);
+        uint colour = texture.ColourAt(north, east, (int)grain);
+        return along > HazeFrom
+            ? Mix(colour, Haze, (along - HazeFrom) / (MaxGroundDistance - HazeFrom))
+            : colour;
     }
 
     private static uint SkyAt(double down, double x, double y)
@@ -91,5 +99,25 @@ internal sealed class GroundPainter(LensRays lens, GroundTexture texture)
             pixels[at + 1] = (byte)((InTheGrass >> 8) & 0xFF);
             pixels[at + 2] = (byte)(InTheGrass & 0xFF);
         }
+    }
+
+    // A camera over the ground, in what does not change from pixel to pixel.
+    private readonly struct GroundView(in CameraPose pose, double focal)
+    {
+        public readonly Vector3 Axis = pose.Axes.Forward;
+        public readonly Vector3 Right = pose.Axes.Right;
+        public readonly Vector3 Below = pose.Axes.Down;
+        public readonly double Height = pose.Height;
+
+        // In the texture's first period, metres.
+        public readonly double North = InPeriod(pose.North);
+        public readonly double East = InPeriod(pose.East);
+
+        // A ray that goes down less is in the sky.
+        public readonly double MinDown = pose.Height / MaxGroundDistance;
+        public readonly double GrainPerDown = GroundTexture.AllGrain * GrainMetres * focal / pose.Height;
+
+        private static double InPeriod(double metres)
+            => metres - (GroundTexture.Period * Math.Floor(metres / GroundTexture.Period));
     }
 }

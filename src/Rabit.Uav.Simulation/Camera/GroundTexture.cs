@@ -6,25 +6,36 @@ namespace Rabit.Uav.Simulation;
 /// What the ground looks like: grass, dry grass, bare soil and a farm track, from value noise of several octaves in a
 /// tile that repeats itself, and finer grain from a smaller one. It lies still in the world. Immutable.
 /// </summary>
-internal sealed class GroundTexture
+internal sealed partial class GroundTexture
 {
     /// <summary>After this distance the ground repeats itself, metres.</summary>
     public const double Period = Size / (double)CoarsePerMetre;
 
+    /// <summary>All of the finest grain.</summary>
+    public const int AllGrain = 256;
+
     private const int SizeBits = 9;
     private const int Size = 1 << SizeBits;
     private const int Mask = Size - 1;
+
+    // The coarse tile has its first row and column at its end too, so that each place has its neighbours beside it.
+    private const int CoarseStride = Size + 1;
     private const int CoarsePerMetre = 2;
     private const int FinePerMetre = 16;   // a whole number of fine tiles to a coarse one
+    private const int CoarseShift = 3;     // by which FinePerMetre is more than CoarsePerMetre
 
-    // A power of two above all indices, so that indices left of the origin are positive too.
+    // A place in the tiles is a whole number of 1/256 fine steps. From a power of two above all of them, so that those
+    // left of the origin are positive too.
+    private const double IndexPerMetre = FinePerMetre * 256;
     private const double IndexOffset = 1 << 28;
 
     // A colour whose channels are 16 bits apart, so that one multiplication weighs all three: 0x0000_00RR_00GG_00BB.
     private const ulong Channels = 0x00FF_00FF_00FF;
 
-    private readonly ulong[] _coarse = new ulong[Size * Size];
-    private readonly byte[] _fine = new byte[Size * Size];     // 128 is the mean
+    private readonly ulong[] _coarse = new ulong[CoarseStride * CoarseStride];
+
+    // A place and its neighbours to the right, below, and both, from the lowest byte on; 128 is the mean.
+    private readonly uint[] _fine = new uint[Size * Size];
 
     public GroundTexture(ulong seed)
     {
@@ -36,17 +47,17 @@ internal sealed class GroundTexture
     /// <summary>The colour of a place, 0x00RRGGBB. Allocates nothing.</summary>
     /// <param name="north">Metres, within some kilometres of 0.</param>
     /// <param name="east">Metres, likewise.</param>
-    /// <param name="grain">How much of the finest grain a pixel still resolves, 0 to 256.</param>
+    /// <param name="grain">
+    /// How much of the finest grain a pixel still resolves, 0 to <see cref="AllGrain"/>.
+    /// </param>
     public uint ColourAt(double north, double east, int grain)
     {
-        int n = (int)((north * (CoarsePerMetre * 256)) + IndexOffset);
-        int e = (int)((east * (CoarsePerMetre * 256)) + IndexOffset);
-        ulong colour = CoarseAt(n, e);
+        int n = (int)((north * IndexPerMetre) + IndexOffset);
+        int e = (int)((east * IndexPerMetre) + IndexOffset);
+        ulong colour = CoarseAt(n >> CoarseShift, e >> CoarseShift);
         if (grain == 0)
             return (uint)((colour >> 16) & 0xFF_0000) | (uint)((colour >> 8) & 0xFF00) | (uint)(colour & 0xFF);
 
-        n = (int)((north * (FinePerMetre * 256)) + IndexOffset);
-        e = (int)((east * (FinePerMetre * 256)) + IndexOffset);
         int light = 256 + ((FineAt(n, e) * grain) >> 8);
         return (Light((uint)(colour >> 32), light) << 16) | (Light((uint)(colour >> 16) & 0xFF, light) << 8)
             | Light((uint)colour & 0xFF, light);
@@ -62,14 +73,11 @@ internal sealed class GroundTexture
     private ulong CoarseAt(int n, int e)
     {
         ulong[] tile = _coarse;
-        int row = ((n >> 8) & Mask) << SizeBits;
-        int nextRow = (((n >> 8) + 1) & Mask) << SizeBits;
-        int column = (e >> 8) & Mask;
-        int nextColumn = (column + 1) & Mask;
+        int at = (((n >> 8) & Mask) * CoarseStride) + ((e >> 8) & Mask);
         uint partE = (uint)(e & 0xFF);
         uint partN = (uint)(n & 0xFF);
-        ulong upper = Blend(tile[row | column], tile[row | nextColumn], partE);
-        ulong lower = Blend(tile[nextRow | column], tile[nextRow | nextColumn], partE);
+        ulong upper = Blend(tile[at], tile[at + 1], partE);
+        ulong lower = Blend(tile[at + CoarseStride], tile[at + CoarseStride + 1], partE);
         return Blend(upper, lower, partN);
     }
 
@@ -79,16 +87,11 @@ internal sealed class GroundTexture
 
     private int FineAt(int n, int e)
     {
-        byte[] tile = _fine;
-        int row = ((n >> 8) & Mask) << SizeBits;
-        int nextRow = (((n >> 8) + 1) & Mask) << SizeBits;
-        int column = (e >> 8) & Mask;
-        int nextColumn = (column + 1) & Mask;
+        uint four = _fine[(((n >> 8) & Mask) << SizeBits) | ((e >> 8) & Mask)];
         int partE = e & 0xFF;
-        int partN = n & 0xFF;
-        int upper = Blend(tile[row | column], tile[row | nextColumn], partE);
-        int lower = Blend(tile[nextRow | column], tile[nextRow | nextColumn], partE);
-        return (Blend(upper, lower, partN) >> 16) - 128;
+        int upper = Blend((int)(four & 0xFF), (int)((four >> 8) & 0xFF), partE);
+        int lower = Blend((int)((four >> 16) & 0xFF), (int)(four >> 24), partE);
+        return (Blend(upper, lower, n & 0xFF) >> 16) - 128;
     }
 
     // 256 times what is between.
@@ -110,19 +113,31 @@ internal sealed class GroundTexture
                 bare = Math.Max(
                     bare, 0.85 * track.BareAt(row / (double)CoarsePerMetre, column / (double)CoarsePerMetre));
                 double gain = 0.72 + (0.56 * light[at]);
-                _coarse[at] = ((ulong)Mix(84, 128, 132, dry, bare, gain) << 32)
+                _coarse[(row * CoarseStride) + column] = ((ulong)Mix(84, 128, 132, dry, bare, gain) << 32)
                     | ((ulong)Mix(104, 124, 114, dry, bare, gain) << 16)
                     | Mix(56, 78, 88, dry, bare, gain);
             }
+
+            _coarse[(row * CoarseStride) + Size] = _coarse[row * CoarseStride];
         }
+
+        Array.Copy(_coarse, 0, _coarse, Size * CoarseStride, CoarseStride);
     }
 
     private void FillFine(ref SeededSequence random)
     {
         double[] tufts = ValueNoise.Fill(Size, firstCells: 64, octaves: 4, ref random);
-        for (int at = 0; at < tufts.Length; at++)
-            _fine[at] = (byte)Math.Max(0, Math.Min(255, 128 + (int)Math.Floor((tufts[at] - 0.5) * 330)));
+        byte[] grain = Array.ConvertAll(
+            tufts, tuft => (byte)Math.Max(0, Math.Min(255, 128 + (int)Math.Floor((tuft - 0.5) * 330))));
+        for (int at = 0; at < grain.Length; at++)
+        {
+            int right = (at & ~Mask) | ((at + 1) & Mask);
+            _fine[at] = grain[at] | ((uint)grain[right] << 8) | ((uint)grain[Below(at)] << 16)
+                | ((uint)grain[Below(right)] << 24);
+        }
     }
+
+    private static int Below(int at) => (at + Size) & ((Size * Size) - 1);
 
     private static uint Mix(double grass, double dryGrass, double soil, double dry, double bare, double gain)
     {

@@ -1,4 +1,7 @@
 using System;
+#if NET
+using System.Runtime.Intrinsics.X86;
+#endif
 
 namespace Rabit.Uav.Simulation;
 
@@ -7,7 +10,7 @@ namespace Rabit.Uav.Simulation;
 /// noise. The noise comes out of a table, from another place of it in each row of each picture. Allocates nothing for
 /// a picture.
 /// </summary>
-internal sealed class SensorFinish
+internal sealed partial class SensorFinish
 {
     private const int TableSize = 1 << 16;
     private const double DarkerInCorners = 0.16;
@@ -17,15 +20,20 @@ internal sealed class SensorFinish
     private const ulong PurposeOfRows = 0x726F7773;
 
     private readonly ulong _seed;
-    private readonly int _width;
+    private readonly int _rowLength;      // bytes
     private readonly int _height;
-    private readonly ushort[] _gains;                    // 1/256
-    private readonly short[] _noise = new short[TableSize];   // 1/256 levels
+    private readonly short[] _gains;      // 1/256, of each byte
+    private readonly short[] _noise;      // 1/256 levels; goes on at its end as it begins, for the length of a row
+
+#if NET
+    /// <summary>Whether several bytes are made at a time, where the processor can; the bytes are the same.</summary>
+    public bool UsesVectors { get; set; } = Avx2.IsSupported;
+#endif
 
     public SensorFinish(int width, int height, double noiseSigma, ulong seed)
     {
-        (_seed, _width, _height) = (seed, width, height);
-        _gains = new ushort[width * height];
+        (_seed, _rowLength, _height) = (seed, 3 * width, height);
+        _gains = new short[_rowLength * height];
         double corner2 = ((double)width * width) + ((double)height * height);
         for (int v = 0; v < height; v++)
         {
@@ -33,37 +41,45 @@ internal sealed class SensorFinish
             {
                 (double x, double y) = ((2 * u) + 1 - width, (2 * v) + 1 - height);
                 double gain = 1 - (DarkerInCorners * ((x * x) + (y * y)) / corner2) + (LighterToTheRight * x / width);
-                _gains[(v * width) + u] = (ushort)(256 * gain);
+                short whole = (short)(256 * gain);
+                int at = (v * _rowLength) + (3 * u);
+                (_gains[at], _gains[at + 1], _gains[at + 2]) = (whole, whole, whole);
             }
         }
 
+        _noise = new short[TableSize + _rowLength];
         var random = new SeededSequence(SeededSequence.Derive(seed, PurposeOfTable));
         for (int at = 0; at < TableSize; at++)
             _noise[at] = (short)Math.Floor((256 * noiseSigma * random.NextNormal()) + 0.5);
+        for (int at = TableSize; at < _noise.Length; at++)
+            _noise[at] = _noise[at - TableSize];
     }
 
     public void Apply(byte[] pixels, long number)
     {
         var rows = new SeededSequence(SeededSequence.Derive(_seed, PurposeOfRows, (ulong)number));
-        int at = 0;
         for (int v = 0; v < _height; v++)
         {
+            int from = v * _rowLength;
             int noise = rows.Next(TableSize);
-            for (int gainAt = v * _width, end = gainAt + _width; gainAt < end; gainAt++)
-            {
-                int gain = _gains[gainAt];
-                pixels[at] = Finish(pixels[at], gain, _noise[noise & (TableSize - 1)]);
-                pixels[at + 1] = Finish(pixels[at + 1], gain, _noise[(noise + 1) & (TableSize - 1)]);
-                pixels[at + 2] = Finish(pixels[at + 2], gain, _noise[(noise + 2) & (TableSize - 1)]);
-                noise += 3;
-                at += 3;
-            }
+            int done = 0;
+#if NET
+            if (UsesVectors)
+                done = FinishSixteens(pixels, from, noise);
+#endif
+            FinishOnes(pixels, from + done, from + _rowLength, noise + done);
         }
     }
 
-    private static byte Finish(byte level, int gain, int noise)
+    private void FinishOnes(byte[] pixels, int from, int end, int noiseFrom)
     {
-        int value = ((level * gain) + noise + 128) >> 8;
-        return value < 0 ? (byte)0 : value > 255 ? (byte)255 : (byte)value;
+        short[] gains = _gains;
+        short[] noises = _noise;
+        int noise = noiseFrom;
+        for (int at = from; at < end; at++)
+        {
+            int value = ((pixels[at] * gains[at]) + noises[noise++] + 128) >> 8;
+            pixels[at] = value < 0 ? (byte)0 : value > 255 ? (byte)255 : (byte)value;
+        }
     }
 }
