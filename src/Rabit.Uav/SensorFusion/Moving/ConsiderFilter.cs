@@ -69,6 +69,9 @@ internal sealed class ConsiderFilter
     public void Correlate(int slot, ReadOnlySpan<double> correlation)
         => correlation.CopyTo(_c.AsSpan(slot * N * 2, N * 2));
 
+    /// <summary>How the error depends on the registration error of a source: four rows of two.</summary>
+    public ReadOnlySpan<double> Correlation(int slot) => _c.AsSpan(slot * N * 2, N * 2);
+
     /// <summary>Becomes the one that has the mean and the covariance of two, of which one is true.</summary>
     public void Mix(ConsiderFilter a, double weightOfA, ConsiderFilter b, double weightOfB)
     {

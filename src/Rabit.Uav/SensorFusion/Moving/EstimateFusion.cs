@@ -24,7 +24,7 @@ internal sealed class EstimateFusion
     private readonly double[] _covariance = new double[N * N];
     private readonly double[] _fusedState = new double[N];
     private readonly double[] _fusedCovariance = new double[N * N];
-    private readonly double[] _correlation = new double[N * 2];
+    private readonly EstimateCorrelations _correlations = new();
 
     /// <summary>Our track of the target of an estimate: the nearest one that may be; null for none.</summary>
     public MovingTrack? Find(List<MovingTrack> tracks, ForeignEstimate estimate)
@@ -51,17 +51,21 @@ internal sealed class EstimateFusion
         if (!CovarianceIntersection.TryFuse(
             _state, _covariance, estimate.State, estimate.Covariance, _fusedState, _fusedCovariance, out double own))
             return false;
-        Correlate(estimate, 1 - own, _fusedCovariance);
-        track.GoOnFrom(estimate, model, _fusedState, _fusedCovariance, _correlation);
+        RegistrationSlots slots = track.Filter.Slots;
+        _ = slots.Of(estimate.Source, estimate.Registration);
+        _correlations.Find(_there, _covariance, own, estimate, _fusedCovariance, slots);
+        track.GoOnFrom(estimate, model, _fusedState, _fusedCovariance, _correlations.All);
         return true;
     }
 
     /// <summary>Starts a track that is known from an estimate alone.</summary>
     public void Start(MovingTrack track, int id, ForeignEstimate estimate, MotionModel model, double existence)
     {
-        Correlate(estimate, 1, estimate.Covariance);
-        track.Start(id, estimate, existence);
-        track.GoOnFrom(estimate, model, estimate.State, estimate.Covariance, _correlation);
+        track.Start(id, estimate, model, existence);
+        RegistrationSlots slots = track.Filter.Slots;
+        _ = slots.Of(estimate.Source, estimate.Registration);
+        _correlations.Find(estimate, slots);
+        track.GoOnFrom(estimate, model, estimate.State, estimate.Covariance, _correlations.All);
     }
 
     private void Predict(MovingTrack track, TimeSpan time)
@@ -103,29 +107,5 @@ internal sealed class EstimateFusion
         }
 
         return distance;
-    }
-
-    // How the error of the result depends on what the frame of the other vehicle is off, so that its reports, which are
-    // off by the same, do not make us surer than that: -P w Pe^-1 H' B, for a start -H' B.
-    private void Correlate(ForeignEstimate estimate, double weight, ReadOnlySpan<double> covariance)
-    {
-        Span<double> inverse = stackalloc double[N * N];
-        Array.Clear(_correlation, 0, _correlation.Length);
-        if (!CovarianceIntersection.TryInvert(estimate.Covariance, N, inverse))
-            return;
-        for (int row = 0; row < N; row++)
-        {
-            (double north, double east) = (0, 0);
-            for (int k = 0; k < N; k++)
-            {
-                north += covariance[(row * N) + k] * inverse[k * N];
-                east += covariance[(row * N) + k] * inverse[(k * N) + 2];
-            }
-
-            _correlation[row * 2] = -weight
-                * ((north * estimate.Registration.NorthNorth) + (east * estimate.Registration.NorthEast));
-            _correlation[(row * 2) + 1] = -weight
-                * ((north * estimate.Registration.NorthEast) + (east * estimate.Registration.EastEast));
-        }
     }
 }

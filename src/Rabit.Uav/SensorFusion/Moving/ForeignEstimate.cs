@@ -29,6 +29,9 @@ internal sealed class ForeignEstimate
     /// </summary>
     public double[] Covariance { get; } = new double[N * N];
 
+    /// <summary>That of the other vehicle alone, as it sent it.</summary>
+    public double[] SentCovariance { get; } = new double[N * N];
+
     /// <summary>What the frame of the other vehicle is off, which is in all that it says.</summary>
     public HorizontalCovariance Registration { get; private set; }
 
@@ -43,7 +46,8 @@ internal sealed class ForeignEstimate
         (State[0], State[1]) = (place.North, estimate.VelocityNed.North);
         (State[2], State[3]) = (place.East, estimate.VelocityNed.East);
         (Down, Registration) = (place.Down, registration);
-        CopyCovariance(estimate, Covariance);
+        CopyCovariance(estimate, SentCovariance);
+        SentCovariance.CopyTo(Covariance, 0);
         Covariance[0] += registration.NorthNorth;
         Covariance[2] += registration.NorthEast;
         Covariance[8] += registration.NorthEast;

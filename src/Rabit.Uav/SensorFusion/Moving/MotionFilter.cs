@@ -77,6 +77,20 @@ internal sealed class MotionFilter
             _modes[mode].Correlate(slot, correlation);
     }
 
+    /// <summary>How the error of all modes together depends on the registration error of a source.</summary>
+    /// <param name="slot">That of the source.</param>
+    /// <param name="correlation">Four rows of two.</param>
+    public void CopyCorrelationTo(int slot, Span<double> correlation)
+    {
+        correlation.Clear();
+        for (int mode = 0; mode < _model.Modes; mode++)
+        {
+            ReadOnlySpan<double> c = _modes[mode].Correlation(slot);
+            for (int i = 0; i < c.Length; i++)
+                correlation[i] += (_model.Modes == 1 ? 1 : _weights[mode]) * c[i];
+        }
+    }
+
     /// <summary>Goes to the time of a measurement and takes it in; starts with it, if it is the first.</summary>
     /// <returns>How likely it was there, per square metre; 1 for the first.</returns>
     public double Take(in TrackMeasurement measurement, RegistrationSlots slots)

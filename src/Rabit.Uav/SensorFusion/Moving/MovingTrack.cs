@@ -102,7 +102,7 @@ internal sealed class MovingTrack(TrackerSettings settings)
     /// Starts with what another vehicle knows of a target; <see cref="GoOnFrom"/> follows. Reports confirm it, as they
     /// do any other.
     /// </summary>
-    public void Start(int id, ForeignEstimate estimate, double existence)
+    public void Start(int id, ForeignEstimate estimate, MotionModel model, double existence)
     {
         (Id, Class, Marker) = (id, estimate.Class, estimate.Marker);
         (Existence, StartExistence, _hidden) = (existence, existence, 0);
@@ -113,6 +113,7 @@ internal sealed class MovingTrack(TrackerSettings settings)
         LastPointCovariance = default;
         Description.Clear(estimate.Down);
         History = default;
+        Filter.Start(model);
     }
 
     /// <summary>
@@ -121,9 +122,9 @@ internal sealed class MovingTrack(TrackerSettings settings)
     /// </summary>
     public void GoOnFrom(
         ForeignEstimate estimate, MotionModel model, ReadOnlySpan<double> state, ReadOnlySpan<double> covariance,
-        ReadOnlySpan<double> correlation)
+        ReadOnlySpan<double> correlations)
     {
-        Filter.Start(model, estimate, state, covariance, correlation);
+        Filter.GoOnFrom(model, estimate.Time, state, covariance, correlations);
         (Existence, _hidden, IsOccluded) = (Math.Max(Existence, settings.Confirm), 0, false);
         if (estimate.Marker >= 0)
             Marker = estimate.Marker;

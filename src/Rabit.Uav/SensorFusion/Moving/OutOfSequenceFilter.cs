@@ -49,17 +49,17 @@ internal sealed class OutOfSequenceFilter(TimeSpan window, int capacity)
         _current.CopyFrom(_base);
     }
 
-    /// <summary>Forgets all and starts with a state that another vehicle has a part in.</summary>
+    /// <summary>Forgets all measurements, not their sources, and goes on from a state.</summary>
     /// <param name="model">How the target moves.</param>
-    /// <param name="estimate">That of the other vehicle, of the same time.</param>
+    /// <param name="time">The time of the state.</param>
     /// <param name="state">N, vN, E, vE.</param>
     /// <param name="covariance">Sixteen numbers, row by row.</param>
-    /// <param name="correlation">
-    /// How the error depends on what the frame of the other vehicle is off: four rows of two.
+    /// <param name="correlations">
+    /// How its error depends on the registration error of each source: eight numbers for each, four rows of two.
     /// </param>
-    public void Start(
-        MotionModel model, ForeignEstimate estimate, ReadOnlySpan<double> state, ReadOnlySpan<double> covariance,
-        ReadOnlySpan<double> correlation)
+    public void GoOnFrom(
+        MotionModel model, TimeSpan time, ReadOnlySpan<double> state, ReadOnlySpan<double> covariance,
+        ReadOnlySpan<double> correlations)
     {
         Span<double> upper = stackalloc double[10];
         int next = 0;
@@ -69,11 +69,11 @@ internal sealed class OutOfSequenceFilter(TimeSpan window, int capacity)
                 upper[next++] = covariance[(row * 4) + column];
         }
 
-        Start(model);
-        _base.Start(estimate.Time, state, upper);
-        int slot = Slots.Add(estimate.Source, estimate.Registration);
-        if (slot >= 0)
-            _base.Correlate(slot, correlation);
+        _count = 0;
+        _base.Clear(model);
+        _base.Start(time, state, upper);
+        for (int slot = 0; slot < Slots.Count; slot++)
+            _base.Correlate(slot, correlations.Slice(slot * 8, 8));
         _current.CopyFrom(_base);
     }
 

@@ -30,14 +30,18 @@ internal sealed class RegistrationSlots
     /// <summary>
     /// The slot of a source, a new one if need be; -1 where there is no room, or it states no registration error.
     /// </summary>
-    public int Of(in TrackMeasurement measurement)
+    public int Of(in TrackMeasurement measurement) => Of(measurement.Key.Source, measurement.Registration);
+
+    /// <summary>
+    /// The slot of a source, a new one if need be; -1 where there is no room, or it states no registration error.
+    /// </summary>
+    public int Of(byte source, HorizontalCovariance covariance)
     {
-        int slot = Find(measurement.Key.Source);
-        return slot >= 0 ? slot : Add(measurement.Key.Source, measurement.Registration);
+        int slot = Find(source);
+        return slot >= 0 ? slot : Add(source, covariance);
     }
 
-    /// <summary>A new slot for a source; -1 where there is no room, or it states no registration error.</summary>
-    public int Add(byte source, HorizontalCovariance covariance)
+    private int Add(byte source, HorizontalCovariance covariance)
     {
         if (Count == Capacity || !(covariance.NorthNorth > 0 || covariance.EastEast > 0))
             return -1;
