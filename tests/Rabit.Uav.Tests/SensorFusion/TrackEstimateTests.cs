@@ -135,6 +135,39 @@ public sealed class TrackEstimateTests(ITestOutputHelper output)
         Assert.InRange(rig.Only.Covariance.NorthNorth, 3.9, 5);
     }
 
+    // It is in the state already, or may be: it starts no track beside it. Another target has its own.
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void Report_OlderThanAState_IsLateAndStartsNoTrack(bool isKnownBefore)
+    {
+        using FusionRig rig = Rig();
+        if (isKnownBefore)
+            Walk(rig, 10);
+        else
+            rig.Run(16);
+        double now = rig.Now.TotalSeconds;
+        rig.Push(Known(2, rig.Now, now, new HorizontalCovariance(1, 0, 1)));
+        rig.Run(1.5);
+        int tracks = rig.Tracks.Count;
+        SensorFusionCounters before = rig.Counters;
+        for (int i = 0; i < 5; i++)
+        {
+            TargetReport old = FusionRig.Report(now - 4 + i + 1.5, 0, Person);
+            rig.Push(old with { SourceSystemId = 3, PictureNumber = i, Time = TimeSpan.FromSeconds(now - 5 + i) });
+            rig.Run(0.5);
+        }
+
+        Assert.Equal(tracks, rig.Tracks.Count);
+        Assert.Equal(before.ReportsLate + 5, rig.Counters.ReportsLate);
+        Assert.Contains(new RefusedReports(3, ReportFault.TooOld, 5), rig.Counters.Refused);
+
+        TargetReport other = FusionRig.Report(now + 200, 0, Person);
+        rig.Push(other with { SourceSystemId = 3, PictureNumber = 9, Time = TimeSpan.FromSeconds(now - 1) });
+        rig.Run(0.5);
+        Assert.Equal(tracks + 1, rig.Tracks.Count);
+    }
+
     [Fact]
     public void Estimates_Hostile_AreRefusedByVehicleAndReason()
     {

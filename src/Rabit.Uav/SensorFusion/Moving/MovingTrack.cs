@@ -152,6 +152,31 @@ internal sealed class MovingTrack(TrackerSettings settings)
             _hidden += (step.Hides * Visible) - (step.Appears * _hidden);
     }
 
+    /// <summary>Whether class and number of a point are not those of another target.</summary>
+    public bool MayBe(in ScanPoint point)
+        => point.Class == Class && (point.Marker < 0 || Marker < 0 || point.Marker == Marker);
+
+    /// <summary>
+    /// Whether a point of the present scan is too old for it, and where its target may have been: then that is no new
+    /// one.
+    /// </summary>
+    public bool HasMissed(in ScanPoint point)
+    {
+        if (!IsTooNew || !MayBe(point))
+            return false;
+        TrackMeasurement measurement = point.Measurement;
+        Filter.PredictTo(measurement.Time, _expected);
+        int slot = Filter.Slots.Find(measurement.Key.Source);
+        HorizontalCovariance known = slot >= 0 ? Filter.Slots[slot] : measurement.Registration;
+        for (int mode = 0; mode < _expected.Modes; mode++)
+        {
+            if (_expected.Expect(mode, slot, known).Compare(measurement).DistanceSquared <= settings.Gate)
+                return true;
+        }
+
+        return false;
+    }
+
     /// <summary>How likely the present scan has a point of the target at a place, per square metre.</summary>
     public double Likelihood(in TrackMeasurement measurement)
     {

@@ -15,6 +15,8 @@ namespace Rabit.Uav.SensorFusion.Moving;
 /// </summary>
 internal sealed class MovingTracker
 {
+    private const int LatePoint = -1;
+
     private readonly TrackerSettings _settings;
     private readonly MotionModel[] _models;
     private readonly ClutterEstimate[] _clutter;
@@ -25,6 +27,8 @@ internal sealed class MovingTracker
     private readonly ScanAssociation _association;
     private readonly TrackStitcher _stitcher;
     private readonly EstimateFusion _estimates = new();
+
+    // 0 for no track, or none any more; LatePoint for one that is too old.
     private readonly int[] _trackOfPoint;
     private readonly Func<int> _nextId;
     private TimeSpan? _time;
@@ -64,7 +68,7 @@ internal sealed class MovingTracker
     /// <summary>Points that started a track.</summary>
     public long TracksStarted { get; private set; }
 
-    /// <summary>Points older than the window.</summary>
+    /// <summary>Points older than the window, or than a state of another vehicle that a track goes on from.</summary>
     public long PointsLate { get; private set; }
 
     /// <summary>Points of a track that had them already.</summary>
@@ -122,6 +126,7 @@ internal sealed class MovingTracker
         Expect(scan, points.Length > 0 ? points[0].Measurement.Registration : default);
         _association.Pair(_tracks, points, scan.DetectionProbability, _otherDensity);
         UpdateTracks(scan, points);
+        LeaveLate(points);
         Stitch(_trackOfPoint.AsSpan(0, points.Length));
         Meetings.Update(_tracks, Time, _trackOfPoint.AsSpan(0, points.Length));
         EstimateClutter(scan);
@@ -191,6 +196,22 @@ internal sealed class MovingTracker
         }
     }
 
+    // Of a target that is known by something newer: a track that began with it would be a second one.
+    private void LeaveLate(ReadOnlySpan<ScanPoint> points)
+    {
+        foreach (MovingTrack track in _tracks)
+        {
+            for (int p = 0; track.IsTooNew && p < points.Length; p++)
+            {
+                if (_trackOfPoint[p] != 0 || !track.HasMissed(points[p]))
+                    continue;
+                _trackOfPoint[p] = LatePoint;
+                _withoutTrack[points[p].Class]--;
+                PointsLate++;
+            }
+        }
+    }
+
     // Also one that was confirmed before it was clear that the other's target is not seen.
     private void Stitch(Span<int> trackOfPoint)
     {
@@ -248,7 +269,7 @@ internal sealed class MovingTracker
     {
         for (int p = 0; p < points.Length; p++)
         {
-            if (_trackOfPoint[p] > 0)
+            if (_trackOfPoint[p] != 0)
                 continue;
             if (_unused.Count == 0)
             {

@@ -83,7 +83,7 @@ internal sealed class ScanAssociation
             double de = point.Measurement.East - expected.East;
             if (dn * dn > _gate * (northNorth + point.Measurement.Covariance.NorthNorth)
                 || de * de > _gate * (eastEast + point.Measurement.Covariance.EastEast)
-                || !CanBe(track, point))
+                || !track.MayBe(point))
                 continue;
             if (!(expected.Compare(point.Measurement).DistanceSquared <= _gate))
                 continue;
@@ -95,9 +95,6 @@ internal sealed class ScanAssociation
             _pairs.Add((index, ColumnOf(p), cost));
         }
     }
-
-    private static bool CanBe(MovingTrack track, in ScanPoint point)
-        => point.Class == track.Class && (point.Marker < 0 || track.Marker < 0 || point.Marker == track.Marker);
 
     private int ColumnOf(int point)
     {
