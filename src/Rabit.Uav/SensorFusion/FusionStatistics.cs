@@ -13,6 +13,7 @@ internal sealed class FusionStatistics
     public long ObservationsRefused;
     public long TracksDropped;
     public long TracksMerged;
+    public long TracksStartedByEstimates;
     public long EstimatesUsed;
     public long EstimatesNotNeeded;
     public long EstimatesTwice;
@@ -38,6 +39,7 @@ internal sealed class FusionStatistics
         ObservationsRefused = ObservationsRefused,
         TracksDropped = TracksDropped,
         TracksMerged = TracksMerged,
+        TracksStartedByEstimates = TracksStartedByEstimates,
         EstimatesUsed = EstimatesUsed,
         EstimatesNotNeeded = EstimatesNotNeeded,
         EstimatesTwice = EstimatesTwice,

@@ -4,7 +4,8 @@ namespace Rabit.Uav.SensorFusion;
 
 /// <summary>
 /// The counters of Sensor Fusion since the start: every report that arrived is in exactly one of the counts of reports.
-/// Immutable.
+/// <see cref="TracksStarted"/> and <see cref="TracksStartedByEstimates"/> less <see cref="TracksDropped"/> and
+/// <see cref="TracksMerged"/> is how many tracks there are. Immutable.
 /// </summary>
 public sealed class SensorFusionCounters
 {
@@ -45,8 +46,16 @@ public sealed class SensorFusionCounters
     /// <summary>Tracks that were deleted: before they were confirmed, or of targets that move and are gone.</summary>
     public long TracksDropped { get; init; }
 
-    /// <summary>Tracks that turned out to be of the target of another track.</summary>
+    /// <summary>
+    /// Tracks that turned out to be of the target of another track, which goes on as both; of a target that was hidden
+    /// also one of <see cref="TracksFoundAgain"/>.
+    /// </summary>
     public long TracksMerged { get; init; }
+
+    /// <summary>
+    /// Tracks of other vehicles that started one of ours; each is in <see cref="EstimatesUsed"/>, too.
+    /// </summary>
+    public long TracksStartedByEstimates { get; init; }
 
     /// <summary>
     /// Tracks of other vehicles that started one of ours or were fused with it; each is in exactly one of the counts

@@ -104,6 +104,7 @@ public sealed partial class SensorFusionManager : RabitManager
         }
 
         ShareEstimates(now);
+        hasNews |= _isChanged;
         if (_isChanged)
             PostTracks();
         if (hasNews)

@@ -21,6 +21,10 @@ internal sealed class MeetingResolver
     private readonly TrackMeasurement[] _second;
     private readonly MotionFilter _trialFirst = new();
     private readonly MotionFilter _trialSecond = new();
+
+    // Sources of points that are only tried take no slot of the tracks.
+    private readonly RegistrationSlots _slotsOfFirst = new();
+    private readonly RegistrationSlots _slotsOfSecond = new();
     private Hypothesis[] _now;
     private Hypothesis[] _next;
 
@@ -76,6 +80,8 @@ internal sealed class MeetingResolver
 
     private void Begin(OutOfSequenceFilter first, OutOfSequenceFilter second, MotionModel model)
     {
+        _slotsOfFirst.CopyFrom(first.Slots);
+        _slotsOfSecond.CopyFrom(second.Slots);
         foreach (Hypothesis hypothesis in _now)
             hypothesis.Score = double.NegativeInfinity;
         _now[0].First.CopyFrom(first.Before);
@@ -111,8 +117,8 @@ internal sealed class MeetingResolver
         MotionFilter ofB = isExchanged ? _trialFirst : _trialSecond;
         _trialFirst.CopyFrom(before.First);
         _trialSecond.CopyFrom(before.Second);
-        RegistrationSlots slotsOfA = isExchanged ? second.Slots : first.Slots;
-        RegistrationSlots slotsOfB = isExchanged ? first.Slots : second.Slots;
+        RegistrationSlots slotsOfA = isExchanged ? _slotsOfSecond : _slotsOfFirst;
+        RegistrationSlots slotsOfB = isExchanged ? _slotsOfFirst : _slotsOfSecond;
         double score = before.Score;
         if ((a >= 0 && !TryTake(ofA, first.Kept[a], slotsOfA, ref score))
             || (b >= 0 && !TryTake(ofB, second.Kept[b], slotsOfB, ref score))

@@ -62,7 +62,11 @@ internal sealed class MovingTargets
     public bool HasTracks => _tracker.Tracks.Count > 0;
 
     /// <summary>Deletes all tracks.</summary>
-    public void Clear() => _tracker.Clear();
+    public void Clear()
+    {
+        _statistics.TracksDropped += _tracker.Tracks.Count;
+        _tracker.Clear();
+    }
 
     /// <summary>Takes the reports of one picture in.</summary>
     /// <param name="reports">Of moving classes, valid and each new.</param>
@@ -78,6 +82,7 @@ internal sealed class MovingTargets
         (long used, long late) = (_tracker.PointsUsed, _tracker.PointsLate);
         (long started, long deleted) = (_tracker.TracksStarted, _tracker.TracksDeleted);
         (long twice, long crowded) = (_tracker.PointsTwice, _tracker.PointsWithoutRoom);
+        long joined = _tracker.TracksJoined;
         var scan = new Scan(time, source, DetectionProbability)
         {
             Footprint = footprint,
@@ -88,6 +93,7 @@ internal sealed class MovingTargets
         _statistics.ReportsLate += _tracker.PointsLate - late;
         _statistics.TracksStarted += _tracker.TracksStarted - started;
         _statistics.TracksDropped += _tracker.TracksDeleted - deleted;
+        _statistics.TracksMerged += _tracker.TracksJoined - joined;
         _statistics.ReportsTwice += _tracker.PointsTwice - twice;
         _statistics.ReportsWithoutRoom += _tracker.PointsWithoutRoom - crowded;
         _statistics.TracksOccluded = _tracker.TracksOccluded;
@@ -106,7 +112,9 @@ internal sealed class MovingTargets
     public bool Update(in TrackEstimate estimate, NedPosition place)
     {
         _estimate.Set(estimate, place, Array.IndexOf(_classes, estimate.Class), _registration);
-        switch (_tracker.Update(_estimate))
+        EstimateResult result = _tracker.Update(_estimate);
+        _statistics.TracksStartedByEstimates = _tracker.TracksStartedByEstimates;
+        switch (result)
         {
             case EstimateResult.Fused or EstimateResult.Started:
                 _statistics.EstimatesUsed++;

@@ -13,7 +13,7 @@ namespace Rabit.Uav.SensorFusion.Moving;
 /// occluded then, and goes on where it is seen again. Scans may arrive late, in any order; each only once. Fixed room:
 /// a scan allocates nothing. For one thread.
 /// </summary>
-internal sealed class MovingTracker
+internal sealed partial class MovingTracker
 {
     private const int LatePoint = -1;
 
@@ -26,7 +26,6 @@ internal sealed class MovingTracker
     private readonly Stack<MovingTrack> _unused;
     private readonly ScanAssociation _association;
     private readonly TrackStitcher _stitcher;
-    private readonly EstimateFusion _estimates = new();
 
     // 0 for no track, or none any more; LatePoint for one that is too old.
     private readonly int[] _trackOfPoint;
@@ -86,7 +85,13 @@ internal sealed class MovingTracker
     /// <summary>Occluded tracks whose target was seen again.</summary>
     public long TracksFoundAgain { get; private set; }
 
-    /// <summary>Tracks that were deleted.</summary>
+    /// <summary>Tracks that went on as another one: each is also one that was found again.</summary>
+    public long TracksJoined { get; private set; }
+
+    /// <summary>
+    /// Tracks that were deleted. Those that were started, by points or by states of others, less these and those that
+    /// were joined, are the tracks that there are.
+    /// </summary>
     public long TracksDeleted { get; private set; }
 
     /// <summary>The estimated clutter of a class, points per square metre and scan.</summary>
@@ -134,40 +139,6 @@ internal sealed class MovingTracker
         Delete();
     }
 
-    /// <summary>Takes what another vehicle knows of a target in.</summary>
-    public EstimateResult Update(ForeignEstimate estimate)
-    {
-        MotionModel model = _models[estimate.Class];
-        if (_estimates.Find(_tracks, estimate) is { } track)
-        {
-            if (estimate.Time <= track.LastSeen + _settings.EstimateNewerBy)
-                return EstimateResult.NotNeeded;
-            return _estimates.TryFuse(track, estimate, model) ? EstimateResult.Fused : EstimateResult.Unusable;
-        }
-
-        // Targets of our own always find room.
-        if (_unused.Count == 0 || _tracks.Count(t => t.IsOfOthers) >= _settings.MaxTracks / 2)
-            return EstimateResult.WithoutRoom;
-        MovingTrack started = _unused.Pop();
-        _estimates.Start(started, _nextId(), estimate, model, _settings.Confirm);
-        _tracks.Add(started);
-        return EstimateResult.Started;
-    }
-
-    /// <summary>Deletes tracks that are known from other vehicles alone, and from before a time.</summary>
-    /// <returns>How many.</returns>
-    public int DeleteUnconfirmedOfOthers(TimeSpan since)
-    {
-        long before = TracksDeleted;
-        for (int t = _tracks.Count - 1; t >= 0; t--)
-        {
-            if (_tracks[t].IsOfOthers && _tracks[t].LastSeen < since)
-                Remove(t);
-        }
-
-        return (int)(TracksDeleted - before);
-    }
-
     private void Expect(in Scan scan, HorizontalCovariance registration)
     {
         double seconds = _time is { } before ? Math.Max(0, (scan.Time - before).TotalSeconds) : 0;
@@ -196,22 +167,6 @@ internal sealed class MovingTracker
         }
     }
 
-    // Of a target that is known by something newer: a track that began with it would be a second one.
-    private void LeaveLate(ReadOnlySpan<ScanPoint> points)
-    {
-        foreach (MovingTrack track in _tracks)
-        {
-            for (int p = 0; track.IsTooNew && p < points.Length; p++)
-            {
-                if (_trackOfPoint[p] != 0 || !track.HasMissed(points[p]))
-                    continue;
-                _trackOfPoint[p] = LatePoint;
-                _withoutTrack[points[p].Class]--;
-                PointsLate++;
-            }
-        }
-    }
-
     // Also one that was confirmed before it was clear that the other's target is not seen.
     private void Stitch(Span<int> trackOfPoint)
     {
@@ -225,6 +180,7 @@ internal sealed class MovingTracker
                 track = track == later.Id ? earlier.Id : track;
             _unused.Push(later);
             _tracks.RemoveAt(t);
+            TracksJoined++;
             TracksFoundAgain++;
         }
     }

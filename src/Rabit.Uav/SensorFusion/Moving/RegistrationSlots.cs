@@ -24,6 +24,14 @@ internal sealed class RegistrationSlots
     /// <summary>Forgets all.</summary>
     public void Clear() => Count = 0;
 
+    /// <summary>Becomes the same as others.</summary>
+    public void CopyFrom(RegistrationSlots other)
+    {
+        Array.Copy(other._sources, _sources, Capacity);
+        Array.Copy(other._covariances, _covariances, Capacity);
+        Count = other.Count;
+    }
+
     /// <summary>The slot of a source; -1 where it has none.</summary>
     public int Find(byte source) => Array.IndexOf(_sources, source, 0, Count);
 

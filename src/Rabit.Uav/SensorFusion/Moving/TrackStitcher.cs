@@ -12,6 +12,10 @@ internal sealed class TrackStitcher(TrackerSettings settings)
     private readonly MotionFilter _same = new();
     private readonly MotionFilter _other = new();
 
+    // Sources of points that are only tried take no slot of the tracks.
+    private readonly RegistrationSlots _slotsOfSame = new();
+    private readonly RegistrationSlots _slotsOfOther = new();
+
     /// <summary>The track that goes on; null for none.</summary>
     public MovingTrack? Find(List<MovingTrack> tracks, MovingTrack later)
     {
@@ -36,12 +40,14 @@ internal sealed class TrackStitcher(TrackerSettings settings)
     {
         _same.CopyFrom(earlier.Filter.Current);
         _other.CopyFrom(later.Filter.Before);
+        _slotsOfSame.CopyFrom(earlier.Filter.Slots);
+        _slotsOfOther.CopyFrom(later.Filter.Slots);
         double ratio = 0;
         foreach (TrackMeasurement measurement in later.Filter.Kept)
-            ratio += LogTake(_same, measurement, earlier) - LogTake(_other, measurement, later);
+            ratio += LogTake(_same, measurement, _slotsOfSame) - LogTake(_other, measurement, _slotsOfOther);
         return ratio;
     }
 
-    private static double LogTake(MotionFilter filter, in TrackMeasurement measurement, MovingTrack track)
-        => Math.Log(Math.Max(1e-300, filter.Take(measurement, track.Filter.Slots)));
+    private static double LogTake(MotionFilter filter, in TrackMeasurement measurement, RegistrationSlots slots)
+        => Math.Log(Math.Max(1e-300, filter.Take(measurement, slots)));
 }

@@ -42,12 +42,12 @@ public class FusedRegistrationTests(ITestOutputHelper output)
         for (int i = 0; i < 2 * gapSeconds; i++, time += 0.5)
             Take(theirs, 2, time, time, 0);
         Fuse(ours, theirs, 2);
-        double fused = LeastVariance(ours);
+        double fused = MinVariance(ours);
         double least = double.PositiveInfinity;
         for (int i = 0; i < 100; i++, time += 0.5)
         {
             Take(ours, 1, time, time, 0);
-            least = Math.Min(least, LeastVariance(ours));
+            least = Math.Min(least, MinVariance(ours));
         }
 
         output.WriteLine(FormattableString.Invariant($"{fused:0.00} m2 fused, then at least {least:0.00} m2"));
@@ -61,7 +61,7 @@ public class FusedRegistrationTests(ITestOutputHelper output)
     [InlineData(new byte[] { 1 }, new byte[] { 1, 2 }, 1, 0.5)]
     [InlineData(new byte[] { 1, 3 }, new byte[] { 1, 2, 3 }, 1, 0.5)]
     [InlineData(new byte[] { 1, 3 }, new byte[] { 3 }, 3, 1.2)]
-    public void TryFuse_AStateMadeOfWhoseverReports_IsConsistent(byte[] ofOurs, byte[] ofTheirs, byte later, double leastNees)
+    public void TryFuse_AStateOfAnyReports_IsConsistent(byte[] ofOurs, byte[] ofTheirs, byte later, double leastNees)
     {
         double[] sums = new double[LaterReports];
         for (int seed = 1; seed <= Runs; seed++)
@@ -86,7 +86,7 @@ public class FusedRegistrationTests(ITestOutputHelper output)
             if (i == 40)
                 Fuse(ours, theirs, 2);
 
-            // Ours sees nothing for ten seconds, and hears nobody.
+            // Ours is without any report for ten seconds.
             bool isAlone = i is >= 20 and < 40;
             foreach (byte source in i < 40 ? ofOurs.Union(ofTheirs) : [later])
             {
@@ -140,7 +140,7 @@ public class FusedRegistrationTests(ITestOutputHelper output)
         Assert.True(new EstimateFusion().TryFuse(ours, estimate, MotionModel.Walking));
     }
 
-    private static double LeastVariance(MovingTrack track)
+    private static double MinVariance(MovingTrack track)
     {
         HorizontalCovariance c = track.Filter.Current.PositionCovariance;
         return Math.Min(c.NorthNorth, c.EastEast);
