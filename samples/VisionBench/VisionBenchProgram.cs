@@ -19,7 +19,7 @@ internal static class VisionBenchProgram
                        white)
         --part         only the odd frames (for tuning) or the even ones
         --colour-only  a panel that is taken for a vehicle of its colour is right, as for the reference
-        --list         each miss and each false alarm, one line each
+        --list         each miss, each centre that is far off and each false alarm, one line each
         --html         a page for a browser: the figures, and each picture with what was found, missed and falsely
                        alarmed
         --repeat       searches each picture so often; the shortest time counts

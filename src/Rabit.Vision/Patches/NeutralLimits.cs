@@ -11,16 +11,22 @@ internal readonly struct NeutralLimits
     private const double WeakBlackRatio = 0.5;
     private const double StrongBlackRatio = 0.36;
 
+    // What is darker than that by the whitest thing of the picture is only pale, as concrete, sand and the lines of a
+    // road: four fifths of its light.
+    private const double StrongByWhitest = 0.9;
+
     // White has nearly no colour: the difference of its channels is less than that part of the strongest, of 256.
     private const int MaxWhiteChroma = 60;
 
     private readonly int _strongWhite;
     private readonly int _strongBlack;
 
-    public NeutralLimits(int level, PatchTable table)
+    public NeutralLimits(int level, int whitest, PatchTable table)
     {
         WeakWhite = table.White > 0 ? Math.Min(236, (int)(level * WeakWhiteRatio)) : 256;
-        _strongWhite = table.White > 0 ? Math.Min(244, (int)(level * StrongWhiteRatio)) : 256;
+        _strongWhite = table.White > 0
+            ? Math.Min(244, (int)Math.Max(level * StrongWhiteRatio, whitest * StrongByWhitest))
+            : 256;
         WeakBlack = table.Black > 0 ? (int)(level * WeakBlackRatio) : -1;
         _strongBlack = table.Black > 0 ? (int)(level * StrongBlackRatio) : -1;
     }

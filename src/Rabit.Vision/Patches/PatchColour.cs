@@ -22,6 +22,10 @@ internal sealed class PatchColour
     private const double ContrastSigma = 0.15;
     private const double NeutralSigma = 0.055;
 
+    // Ground that is paler than that by the picture is concrete or sand: white stands out less against it, but is as
+    // bright by the rest of the picture.
+    private const double MaxPale = 1.3;
+
     // Least channel of a white, level.
     private const int MinWhite = 215;
 
@@ -87,7 +91,7 @@ internal sealed class PatchColour
         double inside = shape.Red + (2 * shape.Green) + shape.Blue;
         double ground = shape.GroundRed + (2 * shape.GroundGreen) + shape.GroundBlue;
         double ratio = IsBright
-            ? inside / Math.Max(ground, 4 * level)
+            ? inside / Math.Max(1, Math.Min(Math.Max(ground, 4 * level), MaxPale * 4 * level))
             : Math.Min(ground, 4 * level) / Math.Max(1, inside);
         double weak = Math.Max(0, Math.Log(FullContrast / ratio)) / ContrastSigma;
         double tint = chroma / NeutralSigma;

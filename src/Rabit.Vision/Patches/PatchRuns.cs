@@ -93,7 +93,7 @@ internal sealed class PatchRuns
         int down = row * PictureLight.Tiles / height;
         for (int across = 0; across < PictureLight.Tiles; across++)
         {
-            var limits = new NeutralLimits(light.LevelOfTile(across, down), table);
+            var limits = new NeutralLimits(light.LevelOfTile(across, down), light.Whitest, table);
             int from = across * width / PictureLight.Tiles;
             int to = (across + 1) * width / PictureLight.Tiles;
             if (!TryAddRuns(pixels, row, row * width, from, to, table, limits))

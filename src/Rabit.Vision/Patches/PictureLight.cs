@@ -28,10 +28,14 @@ public sealed class PictureLight
     private const double VeilInShade = 0.5;
     private const double MaxVeil = 0.06;
 
+    // Of the pixels that are measured so many may glint.
+    private const int FewOfWhitest = 4;
+
     private readonly int[] _tile = new int[256];
     private readonly int[] _red = new int[256];
     private readonly int[] _green = new int[256];
     private readonly int[] _blue = new int[256];
+    private readonly int[] _least = new int[256];
     private readonly byte[] _levels = new byte[Tiles * Tiles];
     private int _width = 1;
     private int _height = 1;
@@ -54,6 +58,9 @@ public sealed class PictureLight
     /// <summary>Median of the brightness of all the picture, 0 to 255.</summary>
     public int Level { get; private set; }
 
+    /// <summary>The level that the least channel of its whitest pixels has, but for a few of them; 0 to 255.</summary>
+    internal int Whitest { get; private set; }
+
     /// <summary>Measures a picture.</summary>
     /// <param name="pixels">Red, green, blue, row by row.</param>
     /// <param name="width">Columns.</param>
@@ -66,6 +73,7 @@ public sealed class PictureLight
         Array.Clear(_red, 0, 256);
         Array.Clear(_green, 0, 256);
         Array.Clear(_blue, 0, 256);
+        Array.Clear(_least, 0, 256);
         for (int tile = 0; tile < Tiles * Tiles; tile++)
             _levels[tile] = (byte)MeasureTile(pixels, tile % Tiles, tile / Tiles);
         (double red, double green, double blue) =
@@ -75,6 +83,7 @@ public sealed class PictureLight
             _levels[tile] = (byte)Math.Min(_levels[tile], MaxTileLevel * Level);
         RedGain = Math.Min(Math.Max(red / green, MinRed), MaxRed) / (red / green);
         BlueGain = Math.Min(Math.Max(blue / green, MinBlue), MaxBlue) / (blue / green);
+        Whitest = LevelOfBrightest();
         (RedVeil, GreenVeil, BlueVeil) = (VeilOf(_red, RedGain), VeilOf(_green, 1), VeilOf(_blue, BlueGain));
     }
 
@@ -97,6 +106,16 @@ public sealed class PictureLight
 
     private static double VeilOf(int[] histogram, double gain)
         => Math.Min(MaxVeil, VeilInShade * LinearLight.Of(gain * LevelOfPart(histogram, DarkestPart)));
+
+    private int LevelOfBrightest()
+    {
+        (int sum, int value) = (0, 256);
+        while (value > 0 && (sum += _least[--value]) < FewOfWhitest)
+        {
+        }
+
+        return value;
+    }
 
     // The level that one of so many pixels do not exceed.
     private static int LevelOfPart(int[] histogram, int part)
@@ -122,6 +141,7 @@ public sealed class PictureLight
                 _red[pixels[at]]++;
                 _green[pixels[at + 1]]++;
                 _blue[pixels[at + 2]]++;
+                _least[Math.Min(pixels[at], Math.Min(pixels[at + 1], pixels[at + 2]))]++;
                 _tile[(pixels[at] + (2 * pixels[at + 1]) + pixels[at + 2]) / 4]++;
             }
         }

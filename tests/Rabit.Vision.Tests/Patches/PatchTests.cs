@@ -104,6 +104,18 @@ public class PatchTests
     }
 
     [Fact]
+    public void TryFind_WhiteAtPaleConcrete_IsAPatchOfItsOwn()
+    {
+        byte[] picture = Paint(240, 240, 238, left: 40, top: 18, columns: 8, rows: 6);
+        Paint(picture, 185, 185, 180, left: 25, top: 19, columns: 3, rows: 4);
+        Paint(picture, 240, 240, 238, left: 28, top: 19, columns: 2, rows: 4);
+        Find(picture);
+        Patch white = Assert.Single(_finder.Patches.ToArray(), p => p.IsStrong);
+        Assert.Equal((28, 29, 19, 22), (white.Left, white.Right, white.Top, white.Bottom));
+        Assert.Contains(_finder.Patches.ToArray(), p => !p.IsStrong && p.Left == 25 && p.Right == 29);
+    }
+
+    [Fact]
     public void TryFind_PictureAfterPicture_AllocatesNothing()
     {
         byte[] picture = Paint(205, 28, 32, left: 20, top: 15, columns: 10, rows: 8);

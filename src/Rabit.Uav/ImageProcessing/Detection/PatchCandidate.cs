@@ -14,6 +14,9 @@ internal struct PatchCandidate
     /// <summary>How unlike to its class; see <see cref="PatchCost"/>.</summary>
     public double Cost;
 
+    /// <summary>Whether its colour is white.</summary>
+    public bool IsWhite;
+
     /// <summary>Whether only pixels whose colour is clear were joined.</summary>
     public bool IsStrong;
 

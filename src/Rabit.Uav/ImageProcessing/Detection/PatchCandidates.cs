@@ -37,18 +37,28 @@ internal sealed class PatchCandidates
     /// <summary>One of them, by its rank.</summary>
     public ref readonly PatchCandidate this[int rank] => ref _all[_order[rank]];
 
+    /// <summary>All of them, as they came.</summary>
+    public Span<PatchCandidate> All => _all.AsSpan(0, _count);
+
     public void Clear() => (_count, _chosenCount) = (0, 0);
 
-    /// <summary>Of equal ones, the first is the likelier.</summary>
+    /// <summary>Adds one; ranked are all of them together.</summary>
     public void Add(in PatchCandidate candidate)
     {
-        if (candidate.Cost > MaxKeptCost || _count == Max)
-            return;
-        int rank = _count;
-        for (; rank > 0 && _all[_order[rank - 1]].Cost > candidate.Cost; rank--)
-            _order[rank] = _order[rank - 1];
-        _order[rank] = _count;
-        _all[_count++] = candidate;
+        if (candidate.Cost <= MaxKeptCost && _count < Max)
+            _all[_count++] = candidate;
+    }
+
+    /// <summary>Ranks them by their costs; of equal ones, the first is the likelier.</summary>
+    public void Rank()
+    {
+        for (int i = 0; i < _count; i++)
+        {
+            int rank = i;
+            for (; rank > 0 && _all[_order[rank - 1]].Cost > _all[i].Cost; rank--)
+                _order[rank] = _order[rank - 1];
+            _order[rank] = i;
+        }
     }
 
     /// <summary>Whether one is a piece of another: the hood of a car is no panel, nor a flower bed's middle.</summary>
@@ -86,8 +96,10 @@ internal sealed class PatchCandidates
         => other.Parts > 1 && other.Cost <= Math.Min(MaxCost, candidate.Cost + MuchCostlier)
             && other.Shape.Area > MuchLargerGroup * candidate.Shape.Area;
 
+    // White is even: a whole that is no target itself, as a slab of concrete, is what the piece lies on.
     private static bool IsWhole(in PatchCandidate other, in PatchCandidate candidate)
         => candidate.IsStrong && !other.IsStrong && other.Parts == 1
+            && (!candidate.IsWhite || other.Cost <= MaxCost)
             && other.Shape.GroundNoise < 0.13 && other.Shape.Continuation < 0.05
             && other.Shape.Unevenness < 0.2 && other.Shape.Outline < 1.2
             && other.Shape.Area

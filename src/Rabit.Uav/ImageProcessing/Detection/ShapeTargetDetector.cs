@@ -208,6 +208,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
             Parts = parts.Length,
             IsStrong = parts[0].IsStrong,
             Colour = parts[0].Colour,
+            IsWhite = _table.IsWhite(parts[0].Colour),
         };
         var likeness = new ColourLikeness
         {
@@ -225,21 +226,23 @@ public sealed class ShapeTargetDetector : ITargetDetector
                 (best.Cost, best.Class, best.SideMetres) = (cost, i, side);
         }
 
-        if (_table.IsWhite(best.Colour))
+        if (best.IsWhite)
             _white.Add(shape, best.Cost);
         _candidates.Add(best);
     }
 
     private DetectorResult Choose(in DetectorInput input, Span<TargetDetection> detections)
     {
+        // How bright white is in the picture is known once all of it was looked at.
+        foreach (ref PatchCandidate one in _candidates.All)
+            one.Cost += one.IsWhite ? _white.DarknessOf(one.Shape) : 0;
+        _candidates.Rank();
         (int count, int dropped) = (0, 0);
         for (int rank = 0; rank < _candidates.Count && _candidates[rank].Cost <= PatchCandidates.MaxCost; rank++)
         {
-            PatchCandidate candidate = _candidates[rank];
-            if (_table.IsWhite(candidate.Colour))
-                candidate.Cost += _white.DarknessOf(candidate.Shape);
-            if (candidate.Cost > PatchCandidates.MaxCost || _candidates.IsPiece(candidate)
-                || !_candidates.TryChoose(rank) || !IsWanted(_classes[candidate.Class], input.Classes))
+            ref readonly PatchCandidate candidate = ref _candidates[rank];
+            if (_candidates.IsPiece(candidate) || !_candidates.TryChoose(rank)
+                || !IsWanted(_classes[candidate.Class], input.Classes))
                 continue;
             if (count == detections.Length)
                 dropped++;
