@@ -21,6 +21,7 @@ public sealed class CameraSummary
         Refused = counts.Refused;
         Skipped = counts.Skipped;
         WithoutBuffer = counts.WithoutBuffer;
+        WithoutTime = counts.WithoutTime;
         Restarts = counts.Restarts;
         LastRefusal = counts.LastFault;
     }
@@ -50,6 +51,11 @@ public sealed class CameraSummary
 
     /// <summary>Pictures that were lost, since no buffer was free.</summary>
     public long WithoutBuffer { get; }
+
+    /// <summary>
+    /// Pictures whose time is known by their arrival alone, although the camera's program should report it.
+    /// </summary>
+    public long WithoutTime { get; }
 
     /// <summary>How often it was tried to open the camera again.</summary>
     public long Restarts { get; }

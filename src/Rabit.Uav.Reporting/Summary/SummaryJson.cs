@@ -75,6 +75,7 @@ public static class SummaryJson
         json.WriteNumber("refused", camera.Refused);
         json.WriteNumber("skipped", camera.Skipped);
         json.WriteNumber("withoutBuffer", camera.WithoutBuffer);
+        json.WriteNumber("withoutTime", camera.WithoutTime);
         json.WriteNumber("restarts", camera.Restarts);
         json.WriteString("lastRefusal", camera.LastRefusal);
         json.WriteEndObject();

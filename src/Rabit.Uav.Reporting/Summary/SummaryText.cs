@@ -131,10 +131,13 @@ public sealed class SummaryText
         string restarts = camera.Restarts == 0
             ? string.Empty
             : $"; opened again {FlightText.Number(camera.Restarts)} times";
+        string withoutTime = camera.WithoutTime == 0
+            ? string.Empty
+            : $", {FlightText.Number(camera.WithoutTime)} with the time of their arrival alone";
         Line(string.Format(
             CultureInfo.InvariantCulture,
             "camera {0}: {1} pictures taken, {2} from before the run, {3} too late, {4} refused, {5} without a free "
-                + "buffer{6}{7}",
+                + "buffer{6}{7}{8}",
             FlightText.Printable(camera.Name),
             camera.Delivered,
             camera.BeforeRun,
@@ -142,6 +145,7 @@ public sealed class SummaryText
             camera.Refused,
             camera.WithoutBuffer,
             skipped,
+            withoutTime,
             restarts));
         if (camera.LastRefusal is { } why)
             Line((camera.Restarts == 0 ? "  refused last: " : "  last fault: ") + FlightText.Printable(why));

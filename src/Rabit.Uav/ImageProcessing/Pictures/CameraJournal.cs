@@ -14,6 +14,7 @@ internal sealed class CameraJournal(string camera)
     private long _refused;
     private long _skipped;
     private long _withoutBuffer;
+    private long _withoutTime;
     private long _restarts;
     private string? _fault;
     private string? _lastFault;
@@ -25,6 +26,7 @@ internal sealed class CameraJournal(string camera)
         Refused = Interlocked.Read(ref _refused),
         Skipped = Interlocked.Read(ref _skipped),
         WithoutBuffer = Interlocked.Read(ref _withoutBuffer),
+        WithoutTime = Interlocked.Read(ref _withoutTime),
         Restarts = Interlocked.Read(ref _restarts),
         Fault = Volatile.Read(ref _fault),
         LastFault = Volatile.Read(ref _lastFault),
@@ -48,6 +50,9 @@ internal sealed class CameraJournal(string camera)
     public void Skip() => Interlocked.Increment(ref _skipped);
 
     public void MissBuffer() => Interlocked.Increment(ref _withoutBuffer);
+
+    /// <summary>A picture's time is not known but by its arrival.</summary>
+    public void MissTime() => Interlocked.Increment(ref _withoutTime);
 
     public void Restart() => Interlocked.Increment(ref _restarts);
 

@@ -22,6 +22,7 @@ internal static class CameraSourceDescription
     private const string Exposure = "exposureMicroseconds";
     private const string Latency = "latencyMicroseconds";
     private const string TimeNoise = "timeNoiseMicroseconds";
+    private const string MetadataTimeNoise = "metadataTimeNoiseMicroseconds";
     private const string Stall = "stallTimeoutSeconds";
     private const double MinExposure = 100;
     private const double MaxMicroseconds = 10e6;
@@ -53,11 +54,13 @@ internal static class CameraSourceDescription
         else if (string.IsNullOrWhiteSpace(program))
             faults.Add($"source.{Program} is empty");
         double? rate = ReadRate(source, faults);
+        string[] arguments = ReadArguments(source, model, rate, faults);
+        CheckMetadata(source, arguments, faults);
         var defaults = new ProcessCameraOptions();
         return new ProcessCameraOptions
         {
             Program = PathOf(program ?? string.Empty, folder),
-            Arguments = ReadArguments(source, model, rate, faults),
+            Arguments = arguments,
             Format = ReadFormat(source, model, faults),
             Width = model.Width,
             Height = model.Height,
@@ -65,6 +68,7 @@ internal static class CameraSourceDescription
             Exposure = ReadMicroseconds(source, Exposure, 0, faults) ?? defaults.Exposure,
             Latency = ReadMicroseconds(source, Latency, 0, faults) ?? defaults.Latency,
             TimeNoise = ReadMicroseconds(source, TimeNoise, 0, faults) ?? defaults.TimeNoise,
+            MetadataTimeNoise = ReadMicroseconds(source, MetadataTimeNoise, 0, faults) ?? defaults.MetadataTimeNoise,
             StallTimeout = ReadStall(source, defaults.StallTimeout, faults),
         };
     }
@@ -146,6 +150,16 @@ internal static class CameraSourceDescription
             .Replace("{width}", model.Width.ToString(CultureInfo.InvariantCulture))
             .Replace("{height}", model.Height.ToString(CultureInfo.InvariantCulture))
             .Replace("{" + Rate + "}", (rate ?? 0).ToString(CultureInfo.InvariantCulture)));
+    }
+
+    private static void CheckMetadata(JsonFields source, string[] arguments, List<string> faults)
+    {
+        const string place = ProcessCameraOptions.MetadataPlace;
+        bool hasMetadata = Array.Exists(arguments, a => a.Contains(place));
+        if (hasMetadata && !OperatingSystem.IsLinux())
+            faults.Add($"{place} stands in source.{Arguments}, and works on Linux only");
+        if (!hasMetadata && source.Has(MetadataTimeNoise))
+            faults.Add($"source.{MetadataTimeNoise} is of use only where {place} stands in source.{Arguments}");
     }
 
     private static TimeSpan? ReadMicroseconds(JsonFields source, string name, double min, List<string> faults)

@@ -17,6 +17,11 @@ public readonly record struct CameraStatistics
     /// <summary>Pictures lost because no buffer was free.</summary>
     public long WithoutBuffer { get; init; }
 
+    /// <summary>
+    /// Pictures whose time is known by their arrival alone, although the camera's program should report it.
+    /// </summary>
+    public long WithoutTime { get; init; }
+
     /// <summary>Pictures that were begun before the run, and were therefore not read.</summary>
     public long BeforeRun { get; init; }
 

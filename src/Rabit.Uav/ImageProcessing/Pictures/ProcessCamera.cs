@@ -14,8 +14,9 @@ namespace Rabit.Uav.ImageProcessing;
 /// from any thread.
 /// </summary>
 /// <remarks>
-/// The time of a picture is that of its arrival less <see cref="ProcessCameraOptions.Latency"/> and its exposure. A
-/// program that cannot be started is a fault of the camera, which is tried again in the same way.
+/// The time of a picture is that of its arrival less <see cref="ProcessCameraOptions.Latency"/> and its exposure; or,
+/// where <c>{metadata}</c> stands in <see cref="ProcessCameraOptions.Arguments"/>, that of the sensor. A program that
+/// cannot be started is a fault of the camera, which is tried again in the same way.
 /// </remarks>
 /// <example>
 /// <code>
@@ -28,11 +29,12 @@ namespace Rabit.Uav.ImageProcessing;
 /// });
 /// </code>
 /// </example>
-public sealed class ProcessCamera : ICamera
+public sealed partial class ProcessCamera : ICamera
 {
     private readonly ProcessCameraOptions _options;
     private readonly BufferPool _pool;
     private readonly ProcessPictures _stream;
+    private readonly ProcessPictureTimes? _times;   // null: by arrival
     private readonly CameraPictures _pictures;
     private readonly PictureRate _rate;
     private readonly RestartDelay _delay;
@@ -42,6 +44,10 @@ public sealed class ProcessCamera : ICamera
     private ChildProcess? _process;
     private ITimer? _stall;
     private TimeSpan _arrived;
+    private TimeSpan _frameStart;
+    private TimeSpan _exposure;
+    private TimeSpan _timeNoise;
+    private bool _isTimeKnown = true;
     private long _number;
     private volatile bool _isStalled;
     private volatile bool _isStopping;
@@ -56,6 +62,7 @@ public sealed class ProcessCamera : ICamera
             "camera " + _options.Program, _options.Buffers, _options.Width * _options.Height * 3);
 
         _stream = new ProcessPictures(_options);
+        _times = _options.HasMetadata ? new ProcessPictureTimes(_options) : null;
         _pictures = new CameraPictures(_options.Program, _options.Width, _options.Height);
         _rate = new PictureRate(_options.MaxFramesPerSecond);
         _delay = new RestartDelay(_options.FirstRestartDelay, _options.MaxRestartDelay);
@@ -119,7 +126,8 @@ public sealed class ProcessCamera : ICamera
                 return ReaderStep.Value;
             }
 
-            ReadMore();
+            if (_process is not null)
+                ReadMore();
         }
 
         return ReaderStep.Ended;
@@ -135,50 +143,6 @@ public sealed class ProcessCamera : ICamera
     /// <inheritdoc/>
     public void Close() => End();
 
-    private void Start()
-    {
-        _stream.Clear();
-        _isStalled = false;
-        Volatile.Write(ref _process, new ChildProcess(
-            _options.Program,
-            _options.Arguments,
-            line => _lines.Add($"{_options.Program}: {line}", _context!.Now)));
-        _stall = _context!.Clock.CreateTimer(
-            _ => OnStall(), null, _options.StallTimeout, Timeout.InfiniteTimeSpan);
-
-        // Unblock may have looked before there was a process.
-        if (_isStopping)
-            _process!.Kill();
-    }
-
-    private void OnStall()
-    {
-        _isStalled = true;
-        Volatile.Read(ref _process)?.Kill();
-    }
-
-    private bool TryRestart()
-    {
-        if (_context!.Now < _delay.Due)
-            return false;
-        _journal.Restart();
-        return TryStart();
-    }
-
-    private bool TryStart()
-    {
-        try
-        {
-            Start();
-            return true;
-        }
-        catch (IOException e)
-        {
-            Fail(e.Message, "it is tried again");
-            return false;
-        }
-    }
-
     private void ReadMore()
     {
         if (_stream.IsFull)
@@ -186,6 +150,7 @@ public sealed class ProcessCamera : ICamera
             // No end of a picture in more bytes than one may have.
             Refuse("no end of a picture came");
             _stream.Clear();
+            _times?.Lose();
         }
 
         if (_stream.ReadFrom(_process!.Output) > 0)
@@ -201,28 +166,6 @@ public sealed class ProcessCamera : ICamera
         }
     }
 
-    private void Fail(string reason, string next)
-    {
-        End();
-        string fault = _journal.Fail(reason);
-        TimeSpan delay = _delay.Begin(_context!.Now);
-        Log(FormattableString.Invariant($"{fault}; {next} in {delay.TotalSeconds} s"));
-    }
-
-    private void Log(string line)
-    {
-        _options.Log?.Invoke(line);
-        _journal.WriteLine(line);
-    }
-
-    private void End()
-    {
-        _stall?.Dispose();
-        _stall = null;
-        _process?.Dispose();
-        Volatile.Write(ref _process, null);
-    }
-
     // Older pictures that are whole were not asked for in time.
     private bool TryTakeNewest(out CameraFrame frame)
     {
@@ -232,13 +175,51 @@ public sealed class ProcessCamera : ICamera
         {
             if (length > 0)
                 Skip();
+            _times?.Count();
             (start, length, used) = (nextStart, nextLength, keep);
         }
 
-        bool isTaken = length > 0 && IsWanted() && TryDecode(start, length, out frame);
+        bool isTaken = length > 0 && TryFindTime() && IsWanted() && TryDecode(start, length, out frame);
         _stream.TryFind(used, out _, out _, out int needed);
         _stream.DropBefore(needed);
         return isTaken;
+    }
+
+    // Of the picture that came last, also of one that is not wanted: else the program would wait for its reader.
+    private bool TryFindTime()
+    {
+        (_exposure, _timeNoise) = (_options.Exposure, _options.TimeNoise);
+        _frameStart = _arrived - _options.Latency - _exposure;
+        if (_times is null)
+            return true;
+        TimeSpan start;
+        TimeSpan exposure;
+        bool isKnown;
+        try
+        {
+            isKnown = _times.TryGet(_arrived, _context!, out start, out exposure);
+        }
+        catch (IOException e)
+        {
+            Fail(e.Message, "it is started again");
+            return false;
+        }
+
+        if (_isStalled)
+        {
+            Fail(FormattableString.Invariant(
+                $"it wrote no metadata for {_options.StallTimeout.TotalSeconds} s"), "it is started again");
+            return false;
+        }
+
+        if (isKnown)
+            (_frameStart, _exposure, _timeNoise) = (start, exposure, _options.MetadataTimeNoise);
+        else
+            _journal.MissTime();
+        if (!isKnown && _isTimeKnown && !_isStopping)
+            Log($"{_options.Program}: no time of a picture in its metadata; that of the arrival is taken");
+        _isTimeKnown = isKnown;
+        return true;
     }
 
     private bool IsWanted()
@@ -278,9 +259,9 @@ public sealed class ProcessCamera : ICamera
             Height = _options.Height,
             Format = _options.Format == ProcessCameraFormat.Grey16 ? PixelFormat.Grey16 : PixelFormat.Rgb24,
             Number = number,
-            FrameStart = _arrived - _options.Latency - _options.Exposure,
-            Exposure = _options.Exposure,
-            TimeNoise = _options.TimeNoise,
+            FrameStart = _frameStart,
+            Exposure = _exposure,
+            TimeNoise = _timeNoise,
         };
         return true;
     }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Rabit.Vision;
 
 namespace Rabit.Uav.ImageProcessing;
@@ -7,6 +8,9 @@ namespace Rabit.Uav.ImageProcessing;
 /// <summary>How a <see cref="ProcessCamera"/> gets its pictures.</summary>
 public sealed class ProcessCameraOptions
 {
+    /// <summary>Stands for the path of a pipe in <see cref="Arguments"/>.</summary>
+    internal const string MetadataPlace = "{metadata}";
+
     internal const double MinRate = 0.1;
     internal const double MaxRate = 1000;
 
@@ -14,6 +18,12 @@ public sealed class ProcessCameraOptions
     public string Program { get; set; } = string.Empty;
 
     /// <summary>Its arguments, one each; no shell reads them.</summary>
+    /// <remarks>
+    /// <c>{metadata}</c> stands for the path of a pipe, from which the times of the pictures are read, as
+    /// <c>rpicam-vid --metadata {metadata} --metadata-format txt</c> writes them: for each picture, after it, lines of
+    /// the form Name=Value and an empty one. SensorTimestamp is when the readout of the first row began, in nanoseconds
+    /// by CLOCK_MONOTONIC; ExposureTime is in microseconds, and counts instead of <see cref="Exposure"/>. Linux only.
+    /// </remarks>
     public IReadOnlyList<string> Arguments { get; set; } = [];
 
     /// <summary>What it writes to its standard output.</summary>
@@ -41,6 +51,10 @@ public sealed class ProcessCameraOptions
     /// </summary>
     /// <value>The default is 20 ms, which is the least that arrival alone can be relied on for.</value>
     public TimeSpan TimeNoise { get; set; } = TimeSpan.FromMilliseconds(20);
+
+    /// <summary>As <see cref="TimeNoise"/>, of a picture whose time the program's metadata give.</summary>
+    /// <value>The default is 1 ms.</value>
+    public TimeSpan MetadataTimeNoise { get; set; } = TimeSpan.FromMilliseconds(1);
 
     /// <summary>
     /// How many pictures a second are decoded and searched, where the program gives more; null for all. More than the
@@ -72,15 +86,23 @@ public sealed class ProcessCameraOptions
     /// <value>The default is null. <see cref="ProcessCamera.LogTo"/> is given the same lines.</value>
     public Action<string>? Log { get; set; }
 
+    internal bool HasMetadata { get; private set; }
+
     internal ProcessCameraOptions ValidatedCopy(string parameter)
     {
         var copy = (ProcessCameraOptions)MemberwiseClone();
         copy.Arguments = [.. Arguments];
+        copy.HasMetadata = Arguments.Any(a => a.Contains(MetadataPlace));
         if (Program.Length == 0)
             throw new ArgumentException("A camera of a process needs a program.", parameter);
         if (RgbPicture.FindSizeFault(Width, Height) is { } fault)
             throw new ArgumentException($"The camera of {Program}: {fault}.", parameter);
-        if (Exposure < TimeSpan.Zero || Latency < TimeSpan.Zero || TimeNoise < TimeSpan.Zero)
+        if (copy.HasMetadata && !OperatingSystem.IsLinux())
+            throw new ArgumentException(
+                $"The camera of {Program}: {MetadataPlace} stands in its arguments, and works on Linux only.",
+                parameter);
+        if (Exposure < TimeSpan.Zero || Latency < TimeSpan.Zero || TimeNoise < TimeSpan.Zero
+            || MetadataTimeNoise < TimeSpan.Zero)
             throw new ArgumentException(
                 $"The camera of {Program}: exposure, latency and time noise must not be negative.", parameter);
         if (MaxFramesPerSecond is { } rate && !(rate >= MinRate && rate <= MaxRate))

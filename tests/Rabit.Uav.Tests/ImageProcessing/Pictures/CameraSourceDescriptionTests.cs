@@ -54,6 +54,27 @@ public sealed class CameraSourceDescriptionTests : IDisposable
     }
 
     [LinuxFact]
+    public void Open_ProgramWithMetadata_KeepsThePlaceForThePipe()
+    {
+        ProcessCameraOptions options = Open("""
+            { "program": "rpicam-vid", "arguments": ["--metadata", "{metadata}"], "metadataTimeNoiseMicroseconds": 500 }
+            """).Source!.Program!;
+
+        Assert.Equal(["--metadata", "{metadata}"], options.Arguments);
+        Assert.Equal(0.5, options.MetadataTimeNoise.TotalMilliseconds);
+    }
+
+    [Fact]
+    public void Open_NoiseOfMetadataWithoutThem_IsRefused()
+    {
+        Exception fault = Assert.ThrowsAny<Exception>(
+            () => Open("""{ "program": "sh", "metadataTimeNoiseMicroseconds": 500 }"""));
+
+        Assert.Contains("metadataTimeNoiseMicroseconds is of use only where {metadata} stands in", fault.Message,
+            StringComparison.Ordinal);
+    }
+
+    [LinuxFact]
     public void Open_Device_GivesItsOptions()
     {
         CameraFolder folder = Open("""

@@ -9,6 +9,7 @@ using Rabit.Core;
 using Rabit.Tests.Shared;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
+using Rabit.Uav.Tests.ImageProcessing.VideoDevices;
 using Rabit.Vision;
 using Rabit.Vision.Tests.Pictures;
 using Xunit;
@@ -63,6 +64,80 @@ public sealed class ProcessCameraTests : IDisposable
         Assert.Equal(counts, read.Take(counts.Length));
         Assert.Equal(PixelFormat.Grey16, frames[0].Format);
         Assert.Equal((1, 0), (camera.PicturesDelivered, camera.PicturesRefused));
+    }
+
+    // $1 is the picture, $2 the pipe: a shell with the two of rpicam-vid's metadata that count, and one that does not.
+    [LinuxFact]
+    public void Read_ProgramThatReportsTimes_GivesThoseOfTheSensor()
+    {
+        ProcessCameraOptions options = Options(
+            "exec 3>\"$2\"; echo \"pipe=$2\" >&2; read up rest < /proc/uptime; "
+                + "ms=$(expr ${up%.*} \\* 1000 + ${up#*.} \\* 10 - 300); "
+                + "cat \"$1\"; printf 'ExposureTime=4000\\nSensorTimestamp=%s000000\\n\\n' $ms >&3; sleep 0.3; "
+                + "cat \"$1\"; printf 'SensorTimestamp=%s000000\\nGain=1\\nExposureTime=2000\\n\\n' "
+                + "$(expr $ms + 100) >&3; sleep 60",
+            Path.Combine(Jpegs, "420.jpg"), "{metadata}");
+        var frames = new List<CameraFrame>();
+
+        Run(options, 2, out ProcessCamera camera, () => _log.Any(line => line.Contains("pipe=")), frames: frames);
+
+        Assert.Equal([4.0, 2.0], frames.Select(f => f.Exposure.TotalMilliseconds));
+        Assert.All(frames, f => Assert.Equal(options.MetadataTimeNoise, f.TimeNoise));
+        TimeSpan between = frames[1].FrameStart - frames[0].FrameStart;   // 102 ms in the metadata, 300 in the pipe
+        Assert.InRange(between.TotalMilliseconds, 52, 152);
+        Assert.Equal((2, 0), (camera.PicturesDelivered, camera.Statistics.WithoutTime));
+        string pipe = _log.First(line => line.Contains("pipe=")).Split('=')[1];
+        Assert.StartsWith(Path.Combine(Path.GetTempPath(), "rabit-metadata-"), pipe, StringComparison.Ordinal);
+        Assert.False(File.Exists(pipe), pipe);
+    }
+
+    [LinuxTheory]
+    [InlineData(":")]                                                                        // never opens the pipe
+    [InlineData("printf 'SensorTimestamp=%s\\n\\n' 900000000000000000 > \"$2\"")]            // from the future
+    [InlineData("printf 'SensorTimestamp=1\\n\\n' > \"$2\"")]                                // of another clock
+    [InlineData("printf 'Gain=1\\n\\n' > \"$2\"")]                                           // without the time
+    public void Read_ProgramThatReportsNoTime_GivesThatOfTheArrival(string report)
+    {
+        ProcessCameraOptions options = Options(
+            $"cat \"$1\"; {report}; sleep 60", Path.Combine(Jpegs, "420.jpg"), "{metadata}");
+        var frames = new List<CameraFrame>();
+
+        Run(options, 1, out ProcessCamera camera, frames: frames);
+
+        Assert.Equal((options.TimeNoise, options.Exposure), (frames[0].TimeNoise, frames[0].Exposure));
+        Assert.Equal((1, 1), (camera.PicturesDelivered, camera.Statistics.WithoutTime));
+        Assert.Contains("sh: no time of a picture in its metadata; that of the arrival is taken", _log);
+    }
+
+    [LinuxTheory]
+    [InlineData("[\\n{\\n", "its metadata are JSON; it needs --metadata-format txt")]
+    [InlineData("Gain=1\\n", "it wrote no metadata for 0.4 s")]
+    public void Read_MetadataThatNeverEnd_AreAFaultThatIsNamed(string metadata, string fault)
+    {
+        ProcessCameraOptions options = Options(
+            $"exec 3>\"$2\"; cat \"$1\"; printf '{metadata}' >&3; sleep 60", Path.Combine(Jpegs, "420.jpg"),
+            "{metadata}");
+        options.StallTimeout = TimeSpan.FromSeconds(0.4);
+
+        Run(options, 0, out ProcessCamera camera, () => _log.Count(line => line.Contains(fault)) >= 2);
+
+        Assert.Equal($"sh: {fault}", camera.LastFault);
+        Assert.True(camera.Restarts >= 1, $"{camera.Restarts} restarts");
+    }
+
+    [LinuxFact]
+    public void Read_PicturesThatAreNotWanted_TheirMetadataAreReadToo()
+    {
+        // More than a pipe holds, for pictures of which one in many is wanted.
+        ProcessCameraOptions options = Options(
+            "exec 3>\"$2\"; line=$(printf '%04000d' 0); i=0; while [ $i -lt 100 ]; do cat \"$1\"; "
+                + "printf 'X=%s\\n\\n' $line >&3; i=$((i+1)); done; echo done >&2; sleep 60",
+            Path.Combine(Jpegs, "420.jpg"), "{metadata}");
+        options.MaxFramesPerSecond = 0.1;
+
+        Run(options, 1, out ProcessCamera camera, () => _log.Contains("sh: done"));
+
+        Assert.Equal(0, camera.Restarts);
     }
 
     [ShellFact]
