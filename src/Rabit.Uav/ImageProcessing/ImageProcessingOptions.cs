@@ -186,7 +186,8 @@ public sealed class ImageProcessingOptions
         }
 
         if (!shaped.IsEmpty)
-            parts.Add(new PartDetector(new ShapeTargetDetector(shaped), shaped));
+            parts.Add(new PartDetector(
+                new ShapeTargetDetector(shaped) { LeavesOutCut = parts.Count == 0 }, shaped));
 
         return parts.Count == 1 ? parts[0].Detector : new CombinedTargetDetector(parts.ToImmutable());
     }

@@ -5,9 +5,10 @@ namespace Rabit.Vision;
 /// <summary>From which brightness on a pixel is white, up to which it is black, by the ground of its tile.</summary>
 internal readonly struct NeutralLimits
 {
-    // White is brighter than the ground by so much, by the curve of sRGB; black darker.
-    private const double WeakWhiteRatio = 1.32;
-    private const double StrongWhiteRatio = 1.6;
+    // What may be white, and what clearly is, by the curve of sRGB: so much of the way from the brightness of ground
+    // to that of white. Black is a part of the ground's.
+    private const double WeakWhitePart = 0.3556;
+    private const double StrongWhitePart = 0.6667;
     private const double WeakBlackRatio = 0.5;
     private const double StrongBlackRatio = 0.36;
 
@@ -23,10 +24,16 @@ internal readonly struct NeutralLimits
 
     public NeutralLimits(int level, int whitest, PatchTable table)
     {
-        WeakWhite = table.White > 0 ? Math.Min(236, (int)(level * WeakWhiteRatio)) : 256;
-        _strongWhite = table.White > 0
-            ? Math.Min(244, (int)Math.Max(level * StrongWhiteRatio, whitest * StrongByWhitest))
-            : 256;
+        (WeakWhite, _strongWhite) = (256, 256);
+        if (table.White > 0)
+        {
+            PatchColour white = table[table.White - 1];
+            double above = white.Contrast - 1;
+            double strong = level * (1 + (StrongWhitePart * above));
+            WeakWhite = Math.Min(236, (int)(level * (1 + (WeakWhitePart * above))));
+            _strongWhite = Math.Min(244, (int)Math.Max(strong, white.IsWhite ? whitest * StrongByWhitest : 0));
+        }
+
         WeakBlack = table.Black > 0 ? (int)(level * WeakBlackRatio) : -1;
         _strongBlack = table.Black > 0 ? (int)(level * StrongBlackRatio) : -1;
     }

@@ -17,8 +17,9 @@ internal sealed class PatchColour
     private const double SaturationSigma = 0.11;
     private const double FullSaturation = 0.92;
 
-    // White is twice as bright as ground by the curve of sRGB, which is five times the light.
+    // White is twice as bright as ground by the curve of sRGB, which is five times the light; a light grey less.
     private const double FullContrast = 1.9;
+    private const double LevelOfWhite = 236;
     private const double ContrastSigma = 0.15;
     private const double NeutralSigma = 0.055;
 
@@ -50,7 +51,9 @@ internal sealed class PatchColour
         IsNeutral = _saturation < MinSaturation;
         IsWhite = IsNeutral && Math.Min(colour.Red, Math.Min(colour.Green, colour.Blue)) >= MinWhite;
         _tint = IsWhite ? 0 : ChromaOf(colour.Red, colour.Green, colour.Blue);
-        IsBright = Math.Max(colour.Red, Math.Max(colour.Green, colour.Blue)) >= 128;
+        int most = Math.Max(colour.Red, Math.Max(colour.Green, colour.Blue));
+        IsBright = most >= 128;
+        Contrast = IsBright ? FullContrast * Math.Min(1, most / LevelOfWhite) : FullContrast;
         (double hue, _, _) = ColourRange.Describe(
             Math.Min(255, Overexposure * colour.Red), Math.Min(255, Overexposure * colour.Green),
             Math.Min(255, Overexposure * colour.Blue));
@@ -62,6 +65,9 @@ internal sealed class PatchColour
 
     /// <summary>Of a neutral one: white or a light grey.</summary>
     public bool IsBright { get; }
+
+    /// <summary>Of a neutral one: how many times as bright as the ground it is, by the curve of sRGB.</summary>
+    public double Contrast { get; }
 
     /// <summary>White, and no grey: nothing that is lit as it is and is no lamp is brighter.</summary>
     public bool IsWhite { get; }
@@ -93,7 +99,7 @@ internal sealed class PatchColour
         double ratio = IsBright
             ? inside / Math.Max(1, Math.Min(Math.Max(ground, 4 * level), MaxPale * 4 * level))
             : Math.Min(ground, 4 * level) / Math.Max(1, inside);
-        double weak = Math.Max(0, Math.Log(FullContrast / ratio)) / ContrastSigma;
+        double weak = Math.Max(0, Math.Log(Contrast / ratio)) / ContrastSigma;
         double tint = chroma / NeutralSigma;
         return (weak * weak) + (tint * tint);
     }

@@ -68,6 +68,35 @@ public sealed class CombinedTargetDetectorTests
     }
 
     [Fact]
+    public void Detect_RoofOfACarOfThePanelsColour_IsAPartOfTheCar()
+    {
+        ImmutableArray<TargetClass> classes = [.. TargetClass.Defaults, Car];
+        var painting = new Painting(7);
+        painting.Rectangle(Blue, 200, 150, 4.4 / MetresPerPixel, 1.8 / MetresPerPixel, 0.3);
+        painting.Rectangle(Glass, 200, 150, 1.9 / MetresPerPixel, 1.5 / MetresPerPixel, 0.3);
+        painting.Rectangle(Blue, 200, 150, 1.1 / MetresPerPixel, 1 / MetresPerPixel, 0.3);
+        byte[] picture = painting.Finish();
+
+        Assert.Equal(["blue"], ClassesOf(Search(picture, TargetClass.Defaults, TargetClass.Defaults)));
+        Assert.Equal(["car"], ClassesOf(Search(picture, classes, classes)));
+    }
+
+    [Theory]
+    [InlineData(200, 1)]
+    [InlineData(3, 0)]   // only the end of it is in the picture
+    public void Detect_FormThatTheBorderCuts_IsLeftOut(double row, int count)
+    {
+        ImmutableArray<TargetClass> classes = [Car];
+        var painting = new Painting(8);
+        painting.Rectangle(Blue, 300, row, 4.4 / MetresPerPixel, 1.8 / MetresPerPixel, 0.1);
+        byte[] picture = painting.Finish();
+
+        Assert.Equal(count, Search(picture, classes, classes).Length);
+        classes = [.. TargetClass.Defaults, Car];
+        Assert.Equal(count, Search(picture, classes, classes).Length);
+    }
+
+    [Fact]
     public void MissionFile_MinColourShare_IsReadAndFoundByForm()
     {
         MissionPlan plan = MissionPlan.Parse(

@@ -137,6 +137,21 @@ public class PatchTests
     public void IsWhite_Colour_IsOfWhiteAlone(byte red, byte green, byte blue, bool isWhite)
         => Assert.Equal(isWhite, new PatchTable([new ColourRange(red, green, blue)]).IsWhite(0));
 
+    // The silver of a car on dry grass, less bright than white is.
+    [Fact]
+    public void CostOf_LightGrey_IsByItsOwnBrightness()
+    {
+        var silver = new PatchTable([new ColourRange(168, 172, 176)]);
+        byte[] picture = new byte[Width * Height * 3];
+        Paint(picture, 124, 121, 90, 0, 0, Width, Height);
+        Paint(picture, 168, 176, 177, left: 20, top: 15, columns: 12, rows: 10);
+        _light.Measure(picture, Width, Height);
+        Assert.True(_finder.TryFind(picture, Width, Height, silver, _light));
+        _measure.SetPicture(picture, Width, Height, _finder, _light);
+        Assert.True(_measure.TryLook(_finder.Patches, out PatchShape shape));
+        Assert.InRange(silver.CostOf(shape, 0, _light, out _), 0, 1);
+    }
+
     [Fact]
     public void New_WhiteTwice_IsRefused()
         => Assert.Throws<ArgumentException>(

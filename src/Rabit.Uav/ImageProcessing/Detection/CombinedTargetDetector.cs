@@ -1,27 +1,38 @@
 using System;
 using System.Collections.Immutable;
 using Rabit.Uav.Messages;
+using Rabit.Vision;
 
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// The default detector where classes are of more than one kind: markers, panels, templates, forms, colours. Each kind
+/// The default detector where classes are of more than one kind: markers, panels, templates, colours, forms. Each kind
 /// has a detector of its own, which runs where one of its classes is wanted; a picture that one of them cannot search
 /// is not searched. What a detector finds within what one before it has found is a part of that: the red half of a
-/// panel in red and white is no red panel.
+/// panel in red and white is no red panel. And what is of the colour of a much larger thing around it is a part of
+/// that: the roof of a blue car is no blue panel. What the border of the picture cuts is left out: a camera in flight
+/// sees it whole a moment later, and it may be a part of anything that is larger.
 /// </summary>
 /// <param name="parts">Those that know a thing best come first.</param>
 internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts) : ITargetDetector
 {
+    // By the areas of the boxes around them.
+    private const double MuchLarger = 2;
+
+    // Of colours, the edge of what still counts as the same.
+    private const double MinCloseness = 0.6;
+
     private TargetDetection[] _found = [];
     private TargetDetection[] _kept = [];
+    private TargetClass?[] _classOfKept = [];
+    private int _keptCount;
     private ImmutableArray<TargetClass> _classes;
 
     /// <inheritdoc/>
     public DetectorResult Detect(in DetectorInput input, Span<TargetDetection> detections)
     {
         Prepare(input.Classes, detections.Length);
-        (int count, int dropped, int kept) = (0, 0, 0);
+        (int count, int dropped) = (0, 0);
         foreach (PartDetector part in parts)
         {
             if (!part.IsWanted)
@@ -30,15 +41,13 @@ internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts)
             if (result.Refusal is not null)
                 return result;
             dropped += result.Dropped;
-            int before = kept;
-            for (int i = 0; i < result.Count; i++)
-            {
-                ref readonly TargetDetection found = ref _found[i];
-                if (!part.Has(found.Class) || IsWithin(found, _kept.AsSpan(0, before)))
-                    continue;
-                _kept[kept++] = found;
-                DetectionOrder.Insert(found, detections, ref count, ref dropped);
-            }
+            Keep(part, result.Count);
+        }
+
+        for (int i = 0; i < _keptCount; i++)
+        {
+            if (_classOfKept[i] is not null && !_kept[i].IsCut)
+                DetectionOrder.Insert(_kept[i], detections, ref count, ref dropped);
         }
 
         return DetectorResult.Found(count, dropped);
@@ -46,6 +55,7 @@ internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts)
 
     private void Prepare(ImmutableArray<TargetClass> classes, int most)
     {
+        _keptCount = 0;
         if (_classes != classes)
         {
             _classes = classes;
@@ -57,17 +67,52 @@ internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts)
             return;
         _found = new TargetDetection[most];
         _kept = new TargetDetection[most * parts.Length];
+        _classOfKept = new TargetClass?[most * parts.Length];
     }
 
-    private static bool IsWithin(in TargetDetection one, ReadOnlySpan<TargetDetection> others)
+    private void Keep(PartDetector part, int count)
     {
-        foreach (ref readonly TargetDetection other in others)
+        int before = _keptCount;
+        for (int i = 0; i < count; i++)
         {
-            if (Math.Abs(one.CentreX - other.CentreX) <= other.WidthPixels / 2
-                && Math.Abs(one.CentreY - other.CentreY) <= other.HeightPixels / 2)
+            ref readonly TargetDetection found = ref _found[i];
+            if (part.Find(found.Class) is not { } target || IsPart(found, target, before))
+                continue;
+            for (int other = 0; other < before; other++)
+            {
+                if (_classOfKept[other] is { } own && IsPartOfLarger(_kept[other], own, found, target))
+                    _classOfKept[other] = null;
+            }
+
+            (_kept[_keptCount], _classOfKept[_keptCount]) = (found, target);
+            _keptCount++;
+        }
+    }
+
+    // Of what detectors before it have found, but for what is a part of itself.
+    private bool IsPart(in TargetDetection one, TargetClass target, int before)
+    {
+        for (int i = 0; i < before; i++)
+        {
+            if (_classOfKept[i] is { } own && IsWithin(one, _kept[i]) && !IsPartOfLarger(_kept[i], own, one, target))
                 return true;
         }
 
         return false;
     }
+
+    private static bool IsPartOfLarger(
+        in TargetDetection small, TargetClass smallClass, in TargetDetection large, TargetClass largeClass)
+        => smallClass.SecondColour is null && largeClass.SecondColour is null
+            && smallClass.Colour is { } one && largeClass.Colour is { } other && AreAlike(one, other)
+            && large.WidthPixels * large.HeightPixels >= MuchLarger * small.WidthPixels * small.HeightPixels
+            && IsWithin(small, large);
+
+    private static bool AreAlike(ColourRange one, ColourRange other)
+        => (PanelColours.IsWhite(one) && PanelColours.IsWhite(other))
+            || one.Closeness(other.Red, other.Green, other.Blue) >= MinCloseness;
+
+    private static bool IsWithin(in TargetDetection one, in TargetDetection other)
+        => Math.Abs(one.CentreX - other.CentreX) <= other.WidthPixels / 2
+            && Math.Abs(one.CentreY - other.CentreY) <= other.HeightPixels / 2;
 }

@@ -19,14 +19,17 @@ internal sealed class PartDetector(ITargetDetector detector, ImmutableArray<Targ
     }
 
     /// <summary>Whether it is for a class.</summary>
-    public bool Has(TargetClassName name)
+    public bool Has(TargetClassName name) => Find(name) is not null;
+
+    /// <summary>The class of a name; null where it is not for such a one.</summary>
+    public TargetClass? Find(TargetClassName name)
     {
         foreach (TargetClass own in classes)
         {
             if (own.Name == name)
-                return true;
+                return own;
         }
 
-        return false;
+        return null;
     }
 }

@@ -113,6 +113,11 @@ public sealed class ShapeTargetDetector : ITargetDetector
         _table = new PatchTable(colours.Select(c => c.Colour).ToArray());
     }
 
+    /// <summary>
+    /// Whether what the border of the picture cuts is left out, as <see cref="CombinedTargetDetector"/> does.
+    /// </summary>
+    internal bool LeavesOutCut { get; set; }
+
     /// <inheritdoc/>
     public DetectorResult Detect(in DetectorInput input, Span<TargetDetection> detections)
     {
@@ -242,7 +247,8 @@ public sealed class ShapeTargetDetector : ITargetDetector
         {
             ref readonly PatchCandidate candidate = ref _candidates[rank];
             if (_candidates.IsPiece(candidate) || !_candidates.TryChoose(rank)
-                || !IsWanted(_classes[candidate.Class], input.Classes))
+                || !IsWanted(_classes[candidate.Class], input.Classes)
+                || (LeavesOutCut && candidate.Shape.TouchesBorder))
                 continue;
             if (count == detections.Length)
                 dropped++;
@@ -261,6 +267,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
         WidthPixels = candidate.Shape.Width,
         HeightPixels = candidate.Shape.Height,
         SideMetres = candidate.SideMetres,
+        IsCut = candidate.Shape.TouchesBorder,
         Bearing = PatchBearing.Of(candidate.Shape, _classes[candidate.Class], ground),
         Score = 1 / (1 + Math.Exp((candidate.Cost - PatchCandidates.MaxCost) / CostScale)),
         Covariance = PatchCovariance.Of(candidate.Shape, _classes[candidate.Class].MinColourShare < 1),

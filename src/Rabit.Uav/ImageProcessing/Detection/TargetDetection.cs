@@ -40,4 +40,7 @@ public struct TargetDetection
 
     /// <summary>How uncertain the centre is; must be positive definite.</summary>
     public PixelCovariance Covariance { get; set; }
+
+    /// <summary>Whether the border of the picture may cut a part of it off; of forms only.</summary>
+    internal bool IsCut { get; set; }
 }
