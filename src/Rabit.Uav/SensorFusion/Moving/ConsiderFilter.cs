@@ -16,8 +16,10 @@ internal sealed class ConsiderFilter
 
     private readonly double[] _p = new double[N * N];
 
-    // Of each slot, the covariance of the state's error with its registration error: four rows of two.
+    // Of each slot, the covariance of the state's error with its registration error: four rows of two. What is behind
+    // those in use is 0, whatever stands there.
     private readonly double[] _c = new double[RegistrationSlots.Capacity * N * 2];
+    private int _used;
 
     public double[] State { get; } = new double[N];
 
@@ -30,7 +32,8 @@ internal sealed class ConsiderFilter
     {
         Array.Copy(other.State, State, N);
         Array.Copy(other._p, _p, N * N);
-        Array.Copy(other._c, _c, _c.Length);
+        Array.Copy(other._c, _c, other._used);
+        _used = other._used;
     }
 
     /// <summary>Starts with a state and the upper triangle of its covariance, without registration errors.</summary>
@@ -44,7 +47,7 @@ internal sealed class ConsiderFilter
                 _p[(row * N) + column] = _p[(column * N) + row] = upperTriangle[next++];
         }
 
-        Array.Clear(_c, 0, _c.Length);
+        _used = 0;
     }
 
     /// <summary>Starts with a first measurement and a velocity that is not known.</summary>
@@ -55,9 +58,10 @@ internal sealed class ConsiderFilter
         Array.Clear(_p, 0, _p.Length);
         (_p[0], _p[2], _p[8], _p[10]) = (r.NorthNorth, r.NorthEast, r.NorthEast, r.EastEast);
         _p[5] = _p[15] = velocitySigma * velocitySigma;
-        Array.Clear(_c, 0, _c.Length);
+        _used = 0;
         if (slot < 0)
             return;
+        Use(slot + 1);
 
         // The place is off by what the source is off.
         HorizontalCovariance b = first.Registration;
@@ -67,10 +71,13 @@ internal sealed class ConsiderFilter
 
     /// <summary>States how the error depends on the registration error of a source: four rows of two.</summary>
     public void Correlate(int slot, ReadOnlySpan<double> correlation)
-        => correlation.CopyTo(_c.AsSpan(slot * N * 2, N * 2));
+    {
+        Use(slot + 1);
+        correlation.CopyTo(_c.AsSpan(slot * N * 2, N * 2));
+    }
 
-    /// <summary>How the error depends on the registration error of a source: four rows of two.</summary>
-    public ReadOnlySpan<double> Correlation(int slot) => _c.AsSpan(slot * N * 2, N * 2);
+    /// <summary>How the error depends on the registration error of a source: four rows of two; empty for not.</summary>
+    public ReadOnlySpan<double> Correlation(int slot) => IsUsed(slot) ? _c.AsSpan(slot * N * 2, N * 2) : default;
 
     /// <summary>Becomes the one that has the mean and the covariance of two, of which one is true.</summary>
     public void Mix(ConsiderFilter a, double weightOfA, ConsiderFilter b, double weightOfB)
@@ -88,7 +95,10 @@ internal sealed class ConsiderFilter
             }
         }
 
-        for (int i = 0; i < _c.Length; i++)
+        a.Use(b._used / (N * 2));
+        b.Use(a._used / (N * 2));
+        _used = a._used;
+        for (int i = 0; i < _used; i++)
             _c[i] = (weightOfA * a._c[i]) + (weightOfB * b._c[i]);
     }
 
@@ -117,7 +127,7 @@ internal sealed class ConsiderFilter
         _p[10] += q3;
         (_p[1], _p[4], _p[5]) = (_p[1] + q2, _p[4] + q2, _p[5] + q1);
         (_p[11], _p[14], _p[15]) = (_p[11] + q2, _p[14] + q2, _p[15] + q1);
-        for (int at = 0; at < _c.Length; at += N * 2)
+        for (int at = 0; at < _used; at += N * 2)
         {
             _c[at] += dt * _c[at + 2];
             _c[at + 1] += dt * _c[at + 3];
@@ -132,7 +142,7 @@ internal sealed class ConsiderFilter
     /// <param name="slot">That of the source; -1 for none.</param>
     public HorizontalCovariance ExpectedCovariance(int slot)
     {
-        if (slot < 0)
+        if (!IsUsed(slot))
             return PositionCovariance;
         int at = slot * N * 2;
         return PositionCovariance + new HorizontalCovariance(2 * _c[at], _c[at + 1] + _c[at + 4], 2 * _c[at + 5]);
@@ -145,6 +155,7 @@ internal sealed class ConsiderFilter
     /// <returns>What it was against what was expected.</returns>
     public Innovation Update(in TrackMeasurement measurement, int slot, int slots)
     {
+        Use(slots);
         var innovation = new Innovation(
             measurement.North - State[0],
             measurement.East - State[2],
@@ -157,6 +168,17 @@ internal sealed class ConsiderFilter
         for (int other = 0; other < slots; other++)
             TakeGain(gain, other, other == slot ? measurement.Registration : default);
         return innovation;
+    }
+
+    private bool IsUsed(int slot) => slot >= 0 && slot * N * 2 < _used;
+
+    private void Use(int slots)
+    {
+        int end = slots * N * 2;
+        if (end <= _used)
+            return;
+        Array.Clear(_c, _used, end - _used);
+        _used = end;
     }
 
     private void FindGain(HorizontalCovariance s, int slot, Span<double> gain)

@@ -19,8 +19,8 @@ internal sealed class MeetingResolver
     private readonly Look[] _looks;
     private readonly TrackMeasurement[] _first;
     private readonly TrackMeasurement[] _second;
-    private readonly MotionFilter _trialFirst = new();
-    private readonly MotionFilter _trialSecond = new();
+    private MotionFilter _trialFirst = new();
+    private MotionFilter _trialSecond = new();
 
     // Sources of points that are only tried take no slot of the tracks.
     private readonly RegistrationSlots _slotsOfFirst = new();
@@ -96,16 +96,28 @@ internal sealed class MeetingResolver
     {
         foreach (Hypothesis hypothesis in _next)
             hypothesis.Score = double.NegativeInfinity;
-        for (int exchange = 0; exchange < 2; exchange++)
+        foreach (Hypothesis before in _now)
         {
-            foreach (Hypothesis before in _now)
-            {
-                if (before.Score > double.NegativeInfinity)
-                    Extend(before, look, exchange == 1, first, second);
-            }
+            if (!(before.Score > double.NegativeInfinity))
+                continue;
+            PredictBoth(before, look, first, second);
+            Extend(before, look, isExchanged: false, first, second);
+            Extend(before, look, isExchanged: true, first, second);
         }
 
         (_now, _next) = (_next, _now);
+    }
+
+    // Once, whichever point each of them takes; where both have one, and none is too old.
+    private void PredictBoth(Hypothesis before, int look, OutOfSequenceFilter first, OutOfSequenceFilter second)
+    {
+        if (_looks[look] is not { First: >= 0 and var a, Second: >= 0 and var b })
+            return;
+        TimeSpan time = first.Kept[a].Time;
+        if (time != second.Kept[b].Time || time < before.First.Time || time < before.Second.Time)
+            return;
+        before.First.PredictTo(time);
+        before.Second.PredictTo(time);
     }
 
     private void Extend(
@@ -124,8 +136,8 @@ internal sealed class MeetingResolver
             || (b >= 0 && !TryTake(ofB, second.Kept[b], slotsOfB, ref score))
             || !(score > room.Score))
             return;
-        room.First.CopyFrom(_trialFirst);
-        room.Second.CopyFrom(_trialSecond);
+        (room.First, _trialFirst) = (_trialFirst, room.First);
+        (room.Second, _trialSecond) = (_trialSecond, room.Second);
         room.Score = score;
         Array.Copy(before.Exchanged, room.Exchanged, look);
         room.Exchanged[look] = isExchanged;
@@ -199,9 +211,9 @@ internal sealed class MeetingResolver
 
     private sealed class Hypothesis(int capacity)
     {
-        public MotionFilter First { get; } = new();
+        public MotionFilter First { get; set; } = new();
 
-        public MotionFilter Second { get; } = new();
+        public MotionFilter Second { get; set; } = new();
 
         public double Score { get; set; }
 

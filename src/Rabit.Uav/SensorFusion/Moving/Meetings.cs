@@ -54,7 +54,8 @@ internal sealed class Meetings
             MovingTrack? second = Find(tracks, pair.Second);
             if (first is null || second is null || now - pair.Met > _settings.Window)
                 pair = _pairs[--_count];
-            else if (_resolver.Resolve(first.Filter, second.Filter, _models[first.Class]))
+            else if (pair.IsNew(first.Filter, second.Filter)
+                && _resolver.Resolve(first.Filter, second.Filter, _models[first.Class]))
                 Exchange(first.Id, second.Id, trackOfPoint);
         }
     }
@@ -130,5 +131,16 @@ internal sealed class Meetings
         public int First;
         public int Second;
         public TimeSpan Met;
+        private int _versionOfFirst;
+        private int _versionOfSecond;
+
+        // What was decided with the same points is not decided again.
+        public bool IsNew(OutOfSequenceFilter first, OutOfSequenceFilter second)
+        {
+            if (first.Version == _versionOfFirst && second.Version == _versionOfSecond)
+                return false;
+            (_versionOfFirst, _versionOfSecond) = (first.Version, second.Version);
+            return true;
+        }
     }
 }

@@ -31,6 +31,9 @@ internal sealed class OutOfSequenceFilter(TimeSpan window, int capacity)
     /// <summary>The time of the newest measurement.</summary>
     public TimeSpan Time => _current.Time;
 
+    /// <summary>Differs after each change.</summary>
+    public int Version { get; private set; }
+
     /// <summary>Forgets all; the first measurement is the start.</summary>
     public void Start(MotionModel model)
     {
@@ -38,6 +41,7 @@ internal sealed class OutOfSequenceFilter(TimeSpan window, int capacity)
         _current.Clear(model);
         Slots.Clear();
         _count = 0;
+        Version++;
     }
 
     /// <summary>Forgets all and starts with a state that is known from elsewhere.</summary>
@@ -70,6 +74,7 @@ internal sealed class OutOfSequenceFilter(TimeSpan window, int capacity)
         }
 
         _count = 0;
+        Version++;
         _base.Clear(model);
         _base.Start(time, state, upper);
         for (int slot = 0; slot < Slots.Count; slot++)
@@ -89,6 +94,7 @@ internal sealed class OutOfSequenceFilter(TimeSpan window, int capacity)
         if (IsTooOld(measurement.Time))
             return TakeResult.TooOld;
         Insert(measurement);
+        Version++;
         if (isNewest)
             _current.Take(measurement, Slots);
         else
@@ -104,6 +110,7 @@ internal sealed class OutOfSequenceFilter(TimeSpan window, int capacity)
     {
         measurements.CopyTo(_measurements);
         _count = measurements.Length;
+        Version++;
         Replay(_current, TimeSpan.MaxValue);
     }
 
