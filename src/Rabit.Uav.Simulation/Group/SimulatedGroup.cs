@@ -75,6 +75,10 @@ public sealed class SimulatedGroup
             {
                 Start = NedPosition.Origin + new NedVector(0, StartOf(i, options.Vehicles), 0),
             });
+
+            // What is sent to it before is not kept for it.
+            if (on > TimeSpan.Zero)
+                _radio.SwitchOff(i);
         }
 
         Vehicles = vehicles;
@@ -163,6 +167,8 @@ public sealed class SimulatedGroup
         {
             reactor.Start();
             vehicle.HasStarted = true;
+            if (!_faults.Any(f => f.Vehicle == number && f.Kind == SimulatedGroupFaultKind.RadioDead && f.At < Now))
+                _radio.SwitchOn(number);
         }
 
         if (!reactor.RunFor(Length))

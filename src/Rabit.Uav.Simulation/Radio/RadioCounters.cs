@@ -25,6 +25,6 @@ public struct RadioCounters
     /// <summary>Frames that were lost in a burst.</summary>
     public long LostInBursts { get; set; }
 
-    /// <summary>Frames that were lost since a partition or a dead radio separates the two.</summary>
+    /// <summary>Frames that were lost since a partition or a radio that is dead or off separates the two.</summary>
     public long LostByPartition { get; set; }
 }

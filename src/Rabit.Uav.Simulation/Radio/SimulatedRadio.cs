@@ -43,8 +43,10 @@ internal sealed class SimulatedRadio
 
     public RadioCounters CountersOf(int station) => _stations[station].Counters;
 
-    /// <summary>The radio of a station has failed: it neither sends nor receives any more.</summary>
+    /// <summary>The radio of a station has failed, or is off: it neither sends nor receives.</summary>
     public void SwitchOff(int station) => _stations[station].IsOff = true;
+
+    public void SwitchOn(int station) => _stations[station].IsOff = false;
 
     /// <summary>Takes what was sent in the last step, and delivers what has arrived.</summary>
     /// <param name="now">The end of the step.</param>

@@ -30,7 +30,9 @@ internal static class EstimateCheck
             return ReportFault.Identity;
         if (estimate.Time > now + FutureTolerance)
             return ReportFault.Future;
-        if (estimate.Time < TimeSpan.Zero || estimate.Time < now - maxAge)
+
+        // Below zero it was before we were switched on: that is what it is for.
+        if (estimate.Time < now - maxAge)
             return ReportFault.TooOld;
         GeodeticPosition place = estimate.Position;
         if (!(Math.Abs(place.Latitude.Radians) <= Math.PI / 2 && Math.Abs(place.Longitude.Radians) <= Math.PI

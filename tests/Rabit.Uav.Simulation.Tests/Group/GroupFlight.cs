@@ -19,10 +19,16 @@ internal sealed class GroupFlight : IDisposable
     private readonly List<MessageSubscriber<GroupStatus>> _groups = [];
     private readonly List<MessageSubscriber<TrackList>> _tracks = [];
     private readonly List<StringBuilder> _logs = [];
+    private readonly Action<int, RabitReactor>? _wire;
 
     public GroupFlight(
-        MissionPlan plan, SimulatedGroupOptions options, double layerSpacingMetres, bool hasEventLogs = false)
+        MissionPlan plan,
+        SimulatedGroupOptions options,
+        double layerSpacingMetres,
+        bool hasEventLogs = false,
+        Action<int, RabitReactor>? wire = null)
     {
+        _wire = wire;
         options.World.TakePlacesFrom(plan);
         Group = new SimulatedGroup(options);
         for (int i = 0; i < options.Vehicles; i++)
@@ -113,6 +119,7 @@ internal sealed class GroupFlight : IDisposable
         _missions.Add(reactor.Workspace.Subscribe<MissionStatus>(MessageNames.Mission));
         _groups.Add(reactor.Workspace.Subscribe<GroupStatus>(MessageNames.Group));
         _tracks.Add(reactor.Workspace.Subscribe<TrackList>(MessageNames.Tracks));
+        _wire?.Invoke(number, reactor);
         Group.Attach(number, reactor);
     }
 

@@ -90,6 +90,21 @@ internal sealed class FusionRig : IDisposable
                 SizeMetres = 1,
             };
 
+    /// <summary>What another vehicle knows of a person that walks north with 1 m/s.</summary>
+    public static TrackEstimate Known(byte source, TimeSpan time, double north, HorizontalCovariance covariance)
+        => new()
+        {
+            SourceSystemId = source,
+            TrackId = 4,
+            PictureNumber = 77,
+            Time = time,
+            Position = LocalNedFrame.IgnoringGeoid(Origin).ToGeodetic(new NedPosition(north, 0, 0)),
+            VelocityNed = new NedVector(1, 0, 0),
+            Covariance = covariance,
+            VelocityCovariance = new HorizontalCovariance(0.01, 0, 0.01),
+            Class = new TargetClassName("person"),
+        };
+
     /// <summary>Where a track is, metres from the origin.</summary>
     public static NedPosition PlaceOf(TargetTrack track) => LocalNedFrame.IgnoringGeoid(Origin).ToNed(track.Position);
 

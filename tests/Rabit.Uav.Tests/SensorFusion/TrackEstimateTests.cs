@@ -102,10 +102,10 @@ public sealed class TrackEstimateTests(ITestOutputHelper output)
     {
         using FusionRig rig = Rig();
         rig.Run(10);
-        rig.Push(Known(2, TimeSpan.FromSeconds(5), 5, new HorizontalCovariance(4, 0, 4)));
+        rig.Push(FusionRig.Known(2, TimeSpan.FromSeconds(5), 5, new HorizontalCovariance(4, 0, 4)));
         rig.Run(1.5);
         Assert.Equal(8, rig.Only.Covariance.NorthNorth, 1e-6);
-        rig.Push(Known(3, TimeSpan.FromSeconds(9), 9.5, new HorizontalCovariance(4, 0, 4)));
+        rig.Push(FusionRig.Known(3, TimeSpan.FromSeconds(9), 9.5, new HorizontalCovariance(4, 0, 4)));
         rig.Run(1.5);
 
         Assert.Equal(2, rig.Counters.EstimatesUsed);
@@ -120,7 +120,7 @@ public sealed class TrackEstimateTests(ITestOutputHelper output)
     {
         using FusionRig rig = Rig();
         rig.Run(1);
-        rig.Push(Known(2, TimeSpan.FromSeconds(0.5), 0, new HorizontalCovariance(0.25, 0, 0.25)));
+        rig.Push(FusionRig.Known(2, TimeSpan.FromSeconds(0.5), 0, new HorizontalCovariance(0.25, 0, 0.25)));
         rig.Run(1.5);
         for (int i = 0; i < 100; i++)
         {
@@ -135,45 +135,12 @@ public sealed class TrackEstimateTests(ITestOutputHelper output)
         Assert.InRange(rig.Only.Covariance.NorthNorth, 3.9, 5);
     }
 
-    // It is in the state already, or may be: it starts no track beside it. Another target has its own.
-    [Theory]
-    [InlineData(true)]
-    [InlineData(false)]
-    public void Report_OlderThanAState_IsLateAndStartsNoTrack(bool isKnownBefore)
-    {
-        using FusionRig rig = Rig();
-        if (isKnownBefore)
-            Walk(rig, 10);
-        else
-            rig.Run(16);
-        double now = rig.Now.TotalSeconds;
-        rig.Push(Known(2, rig.Now, now, new HorizontalCovariance(1, 0, 1)));
-        rig.Run(1.5);
-        int tracks = rig.Tracks.Count;
-        SensorFusionCounters before = rig.Counters;
-        for (int i = 0; i < 5; i++)
-        {
-            TargetReport old = FusionRig.Report(now - 4 + i + 1.5, 0, Person);
-            rig.Push(old with { SourceSystemId = 3, PictureNumber = i, Time = TimeSpan.FromSeconds(now - 5 + i) });
-            rig.Run(0.5);
-        }
-
-        Assert.Equal(tracks, rig.Tracks.Count);
-        Assert.Equal(before.ReportsLate + 5, rig.Counters.ReportsLate);
-        Assert.Contains(new RefusedReports(3, ReportFault.TooOld, 5), rig.Counters.Refused);
-
-        TargetReport other = FusionRig.Report(now + 200, 0, Person);
-        rig.Push(other with { SourceSystemId = 3, PictureNumber = 9, Time = TimeSpan.FromSeconds(now - 1) });
-        rig.Run(0.5);
-        Assert.Equal(tracks + 1, rig.Tracks.Count);
-    }
-
     [Fact]
     public void Estimates_Hostile_AreRefusedByVehicleAndReason()
     {
         using FusionRig rig = Rig();
         rig.Run(60);
-        TrackEstimate good = Known(7, rig.Now, 0, new HorizontalCovariance(1, 0, 1));
+        TrackEstimate good = FusionRig.Known(7, rig.Now, 0, new HorizontalCovariance(1, 0, 1));
         var bad = new Dictionary<ReportFault, TrackEstimate[]>
         {
             [ReportFault.Identity] = [good with { TrackId = 0 }, good with { PictureNumber = -1 }],
@@ -215,7 +182,7 @@ public sealed class TrackEstimateTests(ITestOutputHelper output)
     {
         using FusionRig rig = Rig();
         rig.Run(1);
-        rig.Push(Known(2, TimeSpan.FromSeconds(0.5), 30_000, new HorizontalCovariance(1, 0, 1)));
+        rig.Push(FusionRig.Known(2, TimeSpan.FromSeconds(0.5), 30_000, new HorizontalCovariance(1, 0, 1)));
         rig.Run(1.5);
         Walk(rig, 6);
 
@@ -228,7 +195,7 @@ public sealed class TrackEstimateTests(ITestOutputHelper output)
     {
         using FusionRig rig = Rig();
         rig.Observe(0, 0, FusionRig.Report(0, 0, Person));
-        rig.Push(Known(2, rig.Now, 30_000, new HorizontalCovariance(1, 0, 1)));
+        rig.Push(FusionRig.Known(2, rig.Now, 30_000, new HorizontalCovariance(1, 0, 1)));
         rig.Run(0.2);
 
         Assert.Equal(1, rig.Counters.EstimatesRefused);
@@ -246,7 +213,7 @@ public sealed class TrackEstimateTests(ITestOutputHelper output)
         });
         rig.Run(1);
         for (int i = 0; i < 8; i++)
-            rig.Push(Known(2, rig.Now, 100 * i, new HorizontalCovariance(1, 0, 1)) with { TrackId = i + 1 });
+            rig.Push(FusionRig.Known(2, rig.Now, 100 * i, new HorizontalCovariance(1, 0, 1)) with { TrackId = i + 1 });
         rig.Run(1.5);
 
         Assert.Equal(5, rig.Tracks.Count);
@@ -270,7 +237,7 @@ public sealed class TrackEstimateTests(ITestOutputHelper output)
     {
         using FusionRig rig = Rig();
         rig.Run(1);
-        rig.Push(Known(2, TimeSpan.FromSeconds(1), 0, new HorizontalCovariance(1, 0, 1)));
+        rig.Push(FusionRig.Known(2, TimeSpan.FromSeconds(1), 0, new HorizontalCovariance(1, 0, 1)));
         rig.Run(25);
         Assert.Single(rig.Tracks);
         Assert.Empty(rig.SentEstimates);
@@ -297,18 +264,4 @@ public sealed class TrackEstimateTests(ITestOutputHelper output)
             rig.Observe(0.5 * i, 0, FusionRig.Report(0.5 * i, 0, Person));
         rig.Run(11);
     }
-
-    private static TrackEstimate Known(byte source, TimeSpan time, double north, HorizontalCovariance covariance)
-        => new()
-        {
-            SourceSystemId = source,
-            TrackId = 4,
-            PictureNumber = 77,
-            Time = time,
-            Position = LocalNedFrame.IgnoringGeoid(FusionRig.Origin).ToGeodetic(new NedPosition(north, 0, 0)),
-            VelocityNed = new NedVector(1, 0, 0),
-            Covariance = covariance,
-            VelocityCovariance = new HorizontalCovariance(0.01, 0, 0.01),
-            Class = Person,
-        };
 }
