@@ -77,8 +77,10 @@ public sealed class MessagePublisher<T>
     /// </exception>
     public void Post(in T value)
     {
-        Assign(value);
-        Post();
+        LocalCopy<T> copy = Assign(value);
+        SharedMessage<T> shared = _binding.Shared!;
+        TimeSpan now = shared.Clock.Now;
+        shared.Post(copy, _binding.Owner, now, now);
     }
 
     /// <summary>As <see cref="Post()"/>, stamped with the time at which the value was true.</summary>
@@ -100,13 +102,15 @@ public sealed class MessagePublisher<T>
     /// <exception cref="InvalidOperationException">See <see cref="Post(in T)"/>.</exception>
     public void PostStamped(in T value, TimeSpan trueAt)
     {
-        Assign(value);
-        PostStamped(trueAt);
+        LocalCopy<T> copy = Assign(value);
+        _binding.Shared!.Post(copy, _binding.Owner, trueAt);
     }
 
-    private void Assign(in T value)
+    // Checks whose thread it is, once for the assignment and the post.
+    private LocalCopy<T> Assign(in T value)
     {
         LocalCopy<T> copy = _binding.Copy();
         _binding.Shared!.Assign(copy, value);
+        return copy;
     }
 }

@@ -120,8 +120,10 @@ public sealed class MessageSubscriber<T>
     /// <exception cref="InvalidOperationException">See <see cref="Value"/>.</exception>
     public bool Fetch(out T value)
     {
-        bool isNews = Fetch();
-        value = _binding.Copy().Value;
+        LocalCopy<T> copy = _binding.Copy();
+        SharedMessage<T> shared = _binding.Shared!;
+        bool isNews = shared.Version != copy.SeenVersion && shared.Fetch(copy) != 0;
+        value = copy.Value;
         return isNews;
     }
 
