@@ -173,8 +173,8 @@ public sealed class SimulationOptions
     public IReadOnlyList<ScriptedFault> Faults { get; set; } = Array.Empty<ScriptedFault>();
 
     /// <summary>
-    /// Takes home and the area in which the targets lie from a mission, so that it can be flown here. Where it names
-    /// no home, that is its first corner.
+    /// Takes home and the area in which the targets lie from a mission, and the direction of a camera that is fixed, so
+    /// that it can be flown here. Where it names no home, that is its first corner.
     /// </summary>
     /// <param name="mission">The mission.</param>
     public void TakePlacesFrom(MissionPlan mission)
@@ -186,6 +186,8 @@ public sealed class SimulationOptions
                 home.Latitude.Radians, home.Longitude.Radians, home.GroundAltitudeAmslMetres ?? Home.AltitudeAmslMetres)
             : GeodeticPosition.FromRadians(
                 mission.Area[0].Latitude.Radians, mission.Area[0].Longitude.Radians, Home.AltitudeAmslMetres);
+        if (!mission.HasGimbal)
+            (Camera.Pitch, Camera.Yaw) = (mission.CameraPitch, mission.CameraYaw);
         var frame = new WorldFrame(Home);
         Area = mission.Area
             .Select(c => GeodeticPosition.FromRadians(c.Latitude.Radians, c.Longitude.Radians, Home.AltitudeAmslMetres))

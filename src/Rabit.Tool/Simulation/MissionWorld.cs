@@ -6,8 +6,8 @@ using Rabit.Uav.Simulation;
 namespace Rabit.Tool.Simulation;
 
 /// <summary>
-/// Takes from a mission file what the world must agree with: home, if it says one, and the area in which the targets
-/// lie.
+/// Takes from a mission file what the world must agree with: home, if it says one, the area in which the targets
+/// lie, and the direction of a camera that is fixed.
 /// </summary>
 internal static class MissionWorld
 {

@@ -68,6 +68,17 @@ public sealed class SimulatedCameraOptions
     /// <value>The default is 0.</value>
     public Angle MisalignmentYaw { get; set; }
 
+    /// <summary>
+    /// Where the camera looks until it is pointed elsewhere, against what holds it: a camera without a gimbal, which
+    /// nothing points, always. -90 to 30 degrees, up positive.
+    /// </summary>
+    /// <value>The default is straight down, -90 degrees.</value>
+    public Angle Pitch { get; set; } = Angle.FromDegrees(-90);
+
+    /// <summary>The same, right positive.</summary>
+    /// <value>The default is 0.</value>
+    public Angle Yaw { get; set; }
+
     /// <summary>What holds the camera.</summary>
     /// <value>The default is <see cref="SimulatedGimbal.AgainstBody"/>.</value>
     public SimulatedGimbal Gimbal { get; set; }
@@ -155,6 +166,9 @@ public sealed class SimulatedCameraOptions
                 + $"{LensModel.BrownConrady} without K4 to K6");
         if (Gimbal is < SimulatedGimbal.AgainstBody or > SimulatedGimbal.HoldsNorth)
             faults.Add($"{nameof(Gimbal)} is {Gimbal}; there is none of that number");
+        if (!(Pitch.Degrees is >= -90.001 and <= 30.001) || !(Math.Abs(Yaw.Degrees) <= 360))
+            faults.Add($"{nameof(Pitch)} and {nameof(Yaw)} are {Pitch.Degrees} and {Yaw.Degrees} degrees; they must be "
+                + "-90 to 30 and -360 to 360");
         if (!(FramesPerSecond > 0) || FramesPerSecond > 1000)
             faults.Add($"{nameof(FramesPerSecond)} is {FramesPerSecond}; it must be above 0 and at most 1000");
         if (Exposure < TimeSpan.Zero)

@@ -15,8 +15,13 @@ internal class Gimbal
     private const double MinPitch = -Math.PI / 2;
     private const double MaxPitch = 30 * NedMath.RadiansPerDegree;
 
-    private double _wantedPitch = MinPitch;
+    private double _wantedPitch;
     private double _wantedYaw;
+
+    /// <param name="pitch">Where it looks until it is pointed elsewhere, radians, up positive.</param>
+    /// <param name="yaw">The same, right positive, against what it holds.</param>
+    public Gimbal(double pitch = MinPitch, double yaw = 0)
+        => (Pitch, Yaw, _wantedPitch, _wantedYaw) = (pitch, yaw, pitch, yaw);
 
     /// <summary>How the camera is really turned.</summary>
     public virtual GimbalAngles Angles => new(GimbalFrame.Body, Yaw, roll: 0, Pitch);
@@ -24,8 +29,8 @@ internal class Gimbal
     /// <summary>How it says that the camera is turned.</summary>
     public virtual GimbalAngles Reported => Angles;
 
-    /// <summary>Where the motors are to hold it, radians, up positive; it starts looking straight down.</summary>
-    protected double Pitch { get; private set; } = MinPitch;
+    /// <summary>Where the motors are to hold it, radians, up positive.</summary>
+    protected double Pitch { get; private set; }
 
     /// <summary>The same, right positive.</summary>
     protected double Yaw { get; private set; }

@@ -59,9 +59,11 @@ internal sealed class SimulatedVehicle : ILinkSink
         _positionAfter = options.PositionAfter;
         _errors = new NavigationErrors(options.Seed, StepSeconds);
         Body = new Multirotor { Yaw = options.Heading.Radians };
-        Mount = options.Camera.GimbalFrame == GimbalFrame.Body
-            ? new Gimbal()
-            : new StabilisedGimbal(options.Seed, options.Camera.GimbalFrame, options.Heading.Radians, StepSeconds);
+        (double pitch, double yaw) = (options.Camera.Pitch.Radians, options.Camera.Yaw.Radians);
+        GimbalFrame frameOfMount = options.Camera.GimbalFrame;
+        Mount = frameOfMount == GimbalFrame.Body
+            ? new Gimbal(pitch, yaw)
+            : new StabilisedGimbal(options.Seed, frameOfMount, options.Heading.Radians, StepSeconds, pitch, yaw);
 
         var constants = new SimulationRandom(options.Seed, "vehicle constants");
         TimeSpan bootedBefore = options.BootedBefore ?? TimeSpan.FromSeconds(constants.Uniform(20, 80));

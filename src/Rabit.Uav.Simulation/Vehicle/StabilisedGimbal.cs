@@ -28,7 +28,9 @@ internal sealed class StabilisedGimbal : Gimbal
     private double _lastHeading;
     private double _northError;
 
-    public StabilisedGimbal(long seed, GimbalFrame frame, double heading, double stepSeconds)
+    public StabilisedGimbal(
+        long seed, GimbalFrame frame, double heading, double stepSeconds, double pitch = -Math.PI / 2, double yaw = 0)
+        : base(pitch, yaw)
     {
         _frame = frame;
         _heading = _lastHeading = heading;

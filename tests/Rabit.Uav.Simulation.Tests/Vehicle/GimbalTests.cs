@@ -23,6 +23,15 @@ public sealed class GimbalTests
         Assert.Equal(0, gimbal.Angles.Roll, 9);
     }
 
+    [Fact]
+    public void AgainstBody_NothingPointsIt_LooksWhereItIsFixed()
+    {
+        var gimbal = new Gimbal(pitch: -0.8, yaw: 0.3);
+        gimbal.Step(EulerAngles.FromDegrees(20, -10, 5), default, Angle.Zero, Step);
+
+        Assert.Equal((-0.8, 0.3), (gimbal.Angles.Pitch, gimbal.Angles.Yaw));
+    }
+
     [Theory]
     [InlineData(GimbalFrame.Heading)]
     [InlineData(GimbalFrame.North)]

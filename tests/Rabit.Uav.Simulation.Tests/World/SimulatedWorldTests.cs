@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.Linq;
 using Rabit.Core;
+using Rabit.Geodesy;
 using Rabit.Links;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
@@ -28,6 +29,34 @@ public class SimulatedWorldTests(ITestOutputHelper output)
         Assert.Equal(
             (10, 20), (Math.Round(options.Home.Latitude.Degrees, 9), Math.Round(options.Home.Longitude.Degrees, 9)));
         Assert.Equal((0, 0), (Math.Round(options.Area[0].North, 3), Math.Round(options.Area[0].East, 3)));
+    }
+
+    [Theory]
+    [InlineData(false, -45, 30)]   // fixed there
+    [InlineData(true, -90, 0)]     // to be pointed there
+    public void TakePlacesFrom_CameraOfTheMission_LooksThereIfItIsFixed(bool hasGimbal, double pitch, double yaw)
+    {
+        var options = new SimulationOptions();
+        options.TakePlacesFrom(new MissionPlan
+        {
+            Area = [Corner(10, 20), Corner(10, 20.001), Corner(10.001, 20.001)],
+            CameraPitch = Angle.FromDegrees(-45),
+            CameraYaw = Angle.FromDegrees(30),
+            HasGimbal = hasGimbal,
+        });
+
+        Assert.Equal(
+            (pitch, yaw), (Math.Round(options.Camera.Pitch.Degrees, 9), Math.Round(options.Camera.Yaw.Degrees, 9)));
+    }
+
+    [Fact]
+    public void New_CameraLooksWhereItCannot_IsRefused()
+    {
+        var options = new SimulationOptions();
+        options.Camera.Pitch = Angle.FromDegrees(45);
+
+        ArgumentException fault = Assert.Throws<ArgumentException>(() => new SimulatedWorld(options));
+        Assert.Contains("Pitch and Yaw are 45 and 0 degrees", fault.Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -273,6 +302,9 @@ public class SimulatedWorldTests(ITestOutputHelper output)
                 "ComputerHot", "DiskLow"])
             Assert.Contains(name, e.Message, StringComparison.Ordinal);
     }
+
+    private static GeodeticPosition Corner(double latitude, double longitude)
+        => GeodeticPosition.FromDegrees(latitude, longitude, 0);
 
     private static SimulationOptions With(ScriptedFault fault) => new() { Faults = [fault] };
 
