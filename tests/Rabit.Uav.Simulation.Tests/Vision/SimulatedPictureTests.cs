@@ -89,9 +89,13 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
     }
 
     // At 30 m, with a camera that is exposed for 6 ms: the recall of the default detector with all effects.
+    [Theory, Trait("Category", "Long")]
+    [InlineData(2)]
+    public void Survey_ModerateEffectsOfOtherSeeds_KeepsItsRecall(int seed)
+        => Survey_ModerateEffects_KeepsItsRecall(seed);
+
     [Theory]
     [InlineData(1)]
-    [InlineData(2)]
     public void Survey_ModerateEffects_KeepsItsRecall(int seed)
     {
         Survey survey = Fly((ulong)seed, 30, c =>
@@ -108,9 +112,13 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
     }
 
     // From 25 m; of the panels that are seen at 6 px across and more.
+    [Theory, Trait("Category", "Long")]
+    [InlineData(4)]
+    public void Survey_CameraAt45DegreesOfOtherSeeds_KeepsItsRecall(int seed)
+        => Survey_CameraAt45Degrees_KeepsItsRecall(seed);
+
     [Theory]
     [InlineData(3)]
-    [InlineData(4)]
     public void Survey_CameraAt45Degrees_KeepsItsRecall(int seed)
     {
         Survey survey = Fly((ulong)seed, 25, _ => { }, pitchDegrees: -45);
@@ -123,9 +131,14 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
     }
 
     // Of a car the long axis, of a panel any side, of a marker its upper edge.
+    [Theory, Trait("Category", "Long")]
+    [InlineData(2, -90)]
+    public void Survey_TargetsWithADirectionOfOtherSeeds_TheirBearingsAreTrueWithinTheirErrors(
+        int seed, double pitchDegrees)
+        => Survey_TargetsWithADirection_TheirBearingsAreTrueWithinTheirErrors(seed, pitchDegrees);
+
     [Theory]
     [InlineData(1, -90)]
-    [InlineData(2, -90)]
     [InlineData(3, -50)]
     public void Survey_TargetsWithADirection_TheirBearingsAreTrueWithinTheirErrors(int seed, double pitchDegrees)
     {
