@@ -77,7 +77,6 @@ internal sealed class ProcessPictureTimes(ProcessCameraOptions options) : IDispo
 
         if (_records.StampNanoseconds is not { } stamp || stamp <= _lastStamp)
             return false;
-        _lastStamp = stamp;
         if (_records.ExposureMicroseconds is { } microseconds)
             exposure = TimeSpan.FromTicks(microseconds * PictureFolderWriter.TicksPerMicrosecond);
 
@@ -85,7 +84,10 @@ internal sealed class ProcessPictureTimes(ProcessCameraOptions options) : IDispo
         TimeSpan age = monotonic - TimeSpan.FromTicks(stamp / 100);
         TimeSpan taken = now - age;
         start = taken - exposure;
-        return age < MaxAge && taken <= arrived;
+        bool isKnown = age < MaxAge && taken <= arrived;
+        if (isKnown)
+            _lastStamp = stamp;   // one that cannot be does not rule out those after it
+        return isKnown;
     }
 
     public void Dispose()

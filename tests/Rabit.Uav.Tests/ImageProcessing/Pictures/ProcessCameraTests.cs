@@ -109,6 +109,23 @@ public sealed class ProcessCameraTests : IDisposable
         Assert.Contains("sh: no time of a picture in its metadata; that of the arrival is taken", _log);
     }
 
+    [LinuxFact]
+    public void Read_OneTimeThatCannotBe_DoesNotSpoilTheNext()
+    {
+        ProcessCameraOptions options = Options(
+            "exec 3>\"$2\"; cat \"$1\"; printf 'SensorTimestamp=900000000000000000\\n\\n' >&3; sleep 0.3; "
+                + "read up rest < /proc/uptime; cat \"$1\"; "
+                + "printf 'SensorTimestamp=%s000000\\n\\n' $(expr ${up%.*} \\* 1000 + ${up#*.} \\* 10 - 50) >&3; "
+                + "sleep 60",
+            Path.Combine(Jpegs, "420.jpg"), "{metadata}");
+        var frames = new List<CameraFrame>();
+
+        Run(options, 2, out ProcessCamera camera, frames: frames);
+
+        Assert.Equal([options.TimeNoise, options.MetadataTimeNoise], frames.Select(f => f.TimeNoise));
+        Assert.Equal(1, camera.Statistics.WithoutTime);
+    }
+
     [LinuxTheory]
     [InlineData("[\\n{\\n", "its metadata are JSON; it needs --metadata-format txt")]
     [InlineData("Gain=1\\n", "it wrote no metadata for 0.4 s")]
