@@ -56,7 +56,7 @@ public sealed class ArchitectureTests
         // The mark of the running manager, one for each thread (contract 2.8); the kernel's id of a thread, which does
         // not change once it was asked for.
         Assert.Equal(
-            ["InheritanceFutex._threadId", "RunningManager.Current"],
+            ["InheritanceFutex._threadId", "RunningManager._current"],
             changeable.OrderBy(field => field, StringComparer.Ordinal));
     }
 

@@ -11,7 +11,7 @@ internal sealed partial class ManagerActivity
     /// <summary>The system is stopped whatever the policy: what the manager could still do is not known.</summary>
     public override bool TryEndAfter(Exception unexpected)
     {
-        RunningManager.Current = null;
+        RunningScope.Abandon(manager.Owner);
         if (!_hasUnexpectedFault)
             Faults.Add(new ManagerFault(Name, _stage, run.Clock.NowOr(_lastEnd), unexpected));
         _hasUnexpectedFault = true;
@@ -30,7 +30,8 @@ internal sealed partial class ManagerActivity
     private void ShutDownUnexpectedly()
     {
         _isUp = false;
-        RunningManager.Current = manager.Owner;
+        var scope = new RunningScope();
+        scope.Enter(manager.Owner);
         Hangs.Enter(ManagerStage.Shutdown, run.Clock.NowOr(_lastEnd));
         try
         {
@@ -42,13 +43,14 @@ internal sealed partial class ManagerActivity
             Faults.Add(new ManagerFault(Name, ManagerStage.Shutdown, run.Clock.NowOr(_lastEnd), e));
         }
 
-        RunningManager.Current = null;
+        scope.Leave();
         Hangs.Leave(run.Clock.NowOr(_lastEnd));
     }
 
     private void TryPostUnexpected(string text)
     {
-        RunningManager.Current = manager.Owner;
+        var scope = new RunningScope();
+        scope.Enter(manager.Owner);
         try
         {
             ref ManagerStatus status = ref manager.StatusPublisher.Value;
@@ -61,6 +63,6 @@ internal sealed partial class ManagerActivity
             // The result has the fault; the status stays as it was posted last.
         }
 
-        RunningManager.Current = null;
+        scope.Leave();
     }
 }

@@ -185,8 +185,8 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
         ManagerStage stage, ManagerState state, TimeSpan begin, ConsumedWakeUps wakes = default,
         TimeSpan? wokenAt = null)
     {
-        EndpointOwner? outer = RunningManager.Current;
-        RunningManager.Current = manager.Owner;
+        var scope = new RunningScope();
+        scope.Enter(manager.Owner);
         _stage = stage;
         Hangs.Enter(stage, begin);
         Exception? thrown = null;
@@ -209,7 +209,7 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
         else if (stage == ManagerStage.Shutdown)
             _statistics.FillPercentiles(ref status);
         PostStatus(ref status, stage == ManagerStage.Shutdown || thrown is null ? state : ManagerState.Faulted);
-        RunningManager.Current = outer;
+        scope.Leave();
         return thrown is null;
     }
 
@@ -271,11 +271,11 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
 
     private void PostState(ManagerState state)
     {
-        EndpointOwner? outer = RunningManager.Current;
-        RunningManager.Current = manager.Owner;
+        var scope = new RunningScope();
+        scope.Enter(manager.Owner);
         _lastEnd = run.Clock.Now;
         PostStatus(ref manager.StatusPublisher.Value, state);
-        RunningManager.Current = outer;
+        scope.Leave();
     }
 
     private void PostStatus(ref ManagerStatus status, ManagerState state)

@@ -68,7 +68,7 @@ public abstract partial class RabitManager
         get => _delaysStop;
         set
         {
-            if (_run is not null && RunningManager.Current != _owner)
+            if (_run is not null && !RunningManager.Is(_owner))
                 ThrowDelayMisuse();
             if (value == _delaysStop || _isHalted)
                 return;

@@ -40,7 +40,7 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
     public LocalCopy<T> Copy()
     {
         LocalCopy<T>? copy = _copy;
-        if (copy is null || (_mustRun is not null && RunningManager.Current != _mustRun))
+        if (copy is null || (_mustRun is not null && !RunningManager.Is(_mustRun)))
             ThrowMisuse();
         return copy!;
     }

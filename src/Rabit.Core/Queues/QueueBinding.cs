@@ -17,6 +17,9 @@ namespace Rabit.Core.Queues;
 internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, string name)
     : EndpointDeclaration(owner, role, name, typeof(T)), IQueueDeclaration
 {
+    // Who must run on the thread that uses this endpoint: null outside managers.
+    private readonly EndpointOwner? _mustRun = owner.IsManager ? owner : null;
+
     /// <summary>Stated by the receiver.</summary>
     public int Capacity { get; init; }
 
@@ -46,7 +49,7 @@ internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, st
     public MessageQueue<T, SyncPoints> Use()
     {
         MessageQueue<T, SyncPoints>? queue = Queue;
-        if (queue is null || (RunningManager.Current != Owner && Owner.IsManager))
+        if (queue is null || (_mustRun is not null && !RunningManager.Is(_mustRun)))
             ThrowMisuse();
         return queue!;
     }

@@ -1,4 +1,4 @@
-
+using Rabit.Core.Managers;
 using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Wiring;
@@ -8,6 +8,12 @@ namespace Rabit.Core.Wiring;
 /// </summary>
 internal sealed class EndpointOwner(string name, bool isManager, WakeUpEvent? wakeUp)
 {
+    /// <summary>
+    /// Where the manager's code begins on the stack of the thread on which it runs. Written by that thread
+    /// (<see cref="RunningScope"/>), read by any: a word that is read and written whole.
+    /// </summary>
+    public StackMark Mark;
+
     public string Name { get; } = name;
 
     public bool IsManager { get; } = isManager;
