@@ -4,7 +4,7 @@ namespace Rabit.Core.Managers;
 
 /// <summary>
 /// A place on the stack of a thread. What lies close below it is on the stack of the same thread, so that a comparison
-/// of two addresses tells whether code that was called from there is running, without a call into the runtime.
+/// of two addresses shows whether code that was called from there is running, without a call into the runtime.
 /// </summary>
 /// <remarks>
 /// Requirements: it never covers a place on the stack of another thread; it may fail to cover one of its own. So it is

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using System.Runtime.CompilerServices;
 using System.Threading;
 using Rabit.Core.Managers;
 using Rabit.Core.Wiring;
@@ -10,7 +9,7 @@ using Xunit;
 namespace Rabit.Core.Tests.Managers;
 
 /// <summary>The check of who runs on a thread: by a mark on its stack and by its thread-static field.</summary>
-public sealed class RunningManagerTests
+public sealed partial class RunningManagerTests
 {
     // More than a mark covers.
     private const int DeepBytes = 48 * 1024;
@@ -74,26 +73,6 @@ public sealed class RunningManagerTests
         Assert.Equal((true, false), deep);
         Assert.Equal((false, true), nested);
         Assert.True(after);
-    }
-
-    [Fact]
-    public void Is_WithLittleStackLeft_IsTrueForTheOneThatRuns()
-    {
-        (bool First, bool Second) found = default;
-        var thread = new Thread(
-            () => found = DownToTheLastStack(() =>
-            {
-                var scope = new RunningScope();
-                scope.Enter(_first);
-                (bool, bool) inside = (RunningManager.Is(_first), RunningManager.Is(_second));
-                scope.Leave();
-                return inside;
-            }),
-            512 * 1024);
-        thread.Start();
-        thread.Join();
-
-        Assert.Equal((true, false), found);
     }
 
     [Fact]
@@ -215,23 +194,5 @@ public sealed class RunningManagerTests
         else
             AtDepth(frames - 1, look);
         Assert.Equal(1, filler[255]);
-    }
-
-    // Goes down until the runtime would refuse a deep call, and looks there.
-    private static (bool First, bool Second) DownToTheLastStack(Func<(bool, bool)> look)
-    {
-        Span<byte> filler = stackalloc byte[1024];
-        filler.Fill(1);
-        try
-        {
-            RuntimeHelpers.EnsureSufficientExecutionStack();
-        }
-        catch (InsufficientExecutionStackException)
-        {
-            return look();
-        }
-
-        (bool, bool) found = DownToTheLastStack(look);
-        return filler[1023] == 1 ? found : default;
     }
 }
