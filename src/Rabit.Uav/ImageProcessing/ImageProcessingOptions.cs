@@ -67,9 +67,9 @@ public sealed class ImageProcessingOptions
     public ColourDetectorOptions ColourDetector { get; set; } = new();
 
     /// <summary>
-    /// How many pixels the side of the smallest target must have that is searched for: a picture whose pixels are
-    /// larger on the ground, or in which the ground moves further during the exposure, is not searched and does not
-    /// count as seen. 0: not judged.
+    /// How many pixels the side of the smallest target must have that is searched for: where the pixels of a picture
+    /// are larger on the ground it is not searched, and that ground does not count as seen; nor is a picture in which
+    /// too little is left, or in which the ground moves further during the exposure. 0: not judged.
     /// </summary>
     /// <value>
     /// The default, null, is what the colour detector needs (<see cref="ColourDetectorOptions.MinSidePixels"/>), and

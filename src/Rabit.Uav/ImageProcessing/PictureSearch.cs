@@ -18,7 +18,7 @@ internal sealed class PictureSearch : IGroundScaleSource
 {
     public const string WrongSize = "the picture is not of the size that the camera is to have";
     public const string NoBuffer = "the picture has no buffer, or one that is too small";
-    public const string NotGround = "a corner of the picture does not show the ground";
+    public const string NotGround = "too little of the picture shows the ground";
     public const string NoClasses = "none of the target classes to search for is declared";
 
     private readonly CameraModel _camera;
@@ -30,9 +30,11 @@ internal sealed class PictureSearch : IGroundScaleSource
     private readonly PoseHistory _poses;
     private readonly TimeSpan _maxExtrapolation;
     private readonly RowPoses _rows;
+    private readonly SearchedPart _part;
     private readonly TargetReport[] _reports;
     private readonly NedVector[] _byOffset = new NedVector[TargetSensitivity.Offsets];
     private GroundProjection _projection;   // of the middle row, while the detector runs
+    private double _maxPixelArea;           // of the picture, where all of it is not searched
     private int _reportCount;
     private CameraObservation _observation;
 
@@ -52,6 +54,7 @@ internal sealed class PictureSearch : IGroundScaleSource
         _wanted = new WantedClasses(options.TargetClasses);
         _minTargetPixels = options.EffectiveMinTargetPixels;
         _projector = new GroundProjector(camera, options.Mount, options.Errors, options.MinDepression, options.Terrain);
+        _part = new SearchedPart(camera, _projector, _rows);
         _reports = new TargetReport[options.MaxReportsPerPicture];
     }
 
@@ -105,20 +108,12 @@ internal sealed class PictureSearch : IGroundScaleSource
             return NoClasses;
         _projector.SetTimeNoise(frame.TimeNoise);
         _projection = _projector.At(pose, command);
-        if (!TryFindCorners(frame, pose, command) || !TryView(frame, pose, command))
-        {
-            (Quality, IsByTilt) = (PictureQuality.NotGround, IsFineWhenLevel(pose, command));
-            return NotGround;
-        }
-
-        PictureQuality quality = _judge.Judge(frame, View);
-        if (quality != PictureQuality.Usable)
-        {
-            Quality = quality;
-            IsByTilt = quality == PictureQuality.TooCoarse && IsFineWhenLevel(pose, command);
-            return PictureQualityText.RefusalOf(quality);
-        }
-
+        if (RefuseGround(frame, pose, command) is { } notSeen)
+            return notSeen;
+        Quality = _judge.Judge(frame, View);
+        if (Quality != PictureQuality.Usable)
+            return PictureQualityText.RefusalOf(Quality);
+        Quality = PictureQuality.NotSearched;
         if (Detect(frame, classes) is { } refusal)
             return refusal;
         Quality = PictureQuality.Usable;
@@ -140,7 +135,7 @@ internal sealed class PictureSearch : IGroundScaleSource
 
     /// <inheritdoc/>
     public bool TryScale(double column, double row, out GroundScale scale)
-        => _projection.TryScale(column, row, out scale);
+        => _projection.TryScale(column, row, out scale) && scale.PixelArea <= _maxPixelArea;
 
     private string? Detect(in CameraFrame frame, ImmutableArray<TargetClass> classes)
     {
@@ -159,9 +154,22 @@ internal sealed class PictureSearch : IGroundScaleSource
         return _detector.Run(input);
     }
 
+    // What is seen of the ground, and in which pixels; why that is too little, or null.
+    private string? RefuseGround(in CameraFrame frame, in Pose pose, in ImagingCommand command)
+    {
+        bool isEnough = _part.TryFind(frame, pose, command, NeededSamplingMetres);
+        bool isGround = _part.IsGround || isEnough;
+        _maxPixelArea = _part.IsWhole ? double.PositiveInfinity : NeededSamplingMetres * NeededSamplingMetres;
+        if (TryView(frame, pose, command) && isEnough && _part.TryLocate(ref _observation))
+            return null;
+        Quality = isGround ? PictureQuality.TooCoarse : PictureQuality.NotGround;
+        IsByTilt = IsFineWhenLevel(pose, command);
+        return isGround ? PictureQualityText.RefusalOf(Quality) : NotGround;
+    }
+
     private bool TryView(in CameraFrame frame, in Pose pose, in ImagingCommand command)
     {
-        (double column, double row) = (_camera.CentreX, _camera.CentreY);
+        (double column, double row) = (_part.Centre.X, _part.Centre.Y);
         if (!_projection.TryProjectToGround(column, row, out GeodeticPosition centre)
             || !_projection.TryScale(column, row, out GroundScale scale)
             || !TrySmear(frame.Exposure, pose, command, centre, out double smear))
@@ -179,45 +187,20 @@ internal sealed class PictureSearch : IGroundScaleSource
     private bool IsFineWhenLevel(Pose pose, in ImagingCommand command)
     {
         pose.Attitude = Rotation.FromEuler(new EulerAngles(default, default, pose.Attitude.ToEuler().Yaw));
-        GroundProjection level = _projector.At(pose, command);
-        double right = _camera.Width - 1;
-        double bottom = _camera.Height - 1;
-        return level.TryProjectToGround(0, 0, out GeodeticPosition _)
-            && level.TryProjectToGround(right, 0, out GeodeticPosition _)
-            && level.TryProjectToGround(right, bottom, out GeodeticPosition _)
-            && level.TryProjectToGround(0, bottom, out GeodeticPosition _)
-            && level.TryScale(_camera.CentreX, _camera.CentreY, out GroundScale scale)
-            && !(Math.Sqrt(scale.PixelArea) > NeededSamplingMetres);
+        return _part.TryFind(pose, command, NeededSamplingMetres);
     }
 
-    // The ground that the middle of the picture sees moves by the speed and by the rotation, which may cancel (over a
+    // The ground in the middle of what is searched moves by the speed and by the rotation, which may cancel (over a
     // point that the vehicle flies past) and has no part about the optical axis (turning above a point).
     private bool TrySmear(
         TimeSpan exposure, in Pose pose, in ImagingCommand command, GeodeticPosition centre, out double metres)
     {
         GroundProjection end = _projector.At(pose.After(exposure.TotalSeconds), command);
-        bool isGround = end.TryProjectToGround(_camera.CentreX, _camera.CentreY, out GeodeticPosition later);
+        bool isGround = end.TryProjectToGround(_part.Centre.X, _part.Centre.Y, out GeodeticPosition later);
         metres = isGround
             ? LocalNedFrame.IgnoringGeoid(centre).ToNed(later).HorizontalDistanceTo(NedPosition.Origin)
             : double.PositiveInfinity;
         return isGround;
-    }
-
-    private bool TryFindCorners(in CameraFrame frame, in Pose pose, in ImagingCommand command)
-    {
-        double right = _camera.Width - 1;
-        double bottom = _camera.Height - 1;
-        GroundProjection top = _projector.At(_rows.PoseOf(frame, 0, pose), command);
-        if (!top.TryProjectToGround(0, 0, out GeodeticPosition topLeft)
-            || !top.TryProjectToGround(right, 0, out GeodeticPosition topRight))
-            return false;
-        GroundProjection last = _projector.At(_rows.PoseOf(frame, bottom, pose), command);
-        if (!last.TryProjectToGround(right, bottom, out GeodeticPosition bottomRight)
-            || !last.TryProjectToGround(0, bottom, out GeodeticPosition bottomLeft))
-            return false;
-        (_observation.TopLeft, _observation.TopRight) = (topLeft, topRight);
-        (_observation.BottomRight, _observation.BottomLeft) = (bottomRight, bottomLeft);
-        return true;
     }
 
     private void Report(

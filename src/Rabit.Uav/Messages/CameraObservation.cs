@@ -6,8 +6,9 @@ namespace Rabit.Uav.Messages;
 
 /// <summary>
 /// A picture that was searched for targets: which ground it shows, and the reports of the targets that were found, also
-/// when there are none, so that a miss counts only for what could be seen. A plain value; the reports are immutable,
-/// and copies share them.
+/// when there are none, so that a miss counts only for what could be seen. Of a picture that reaches towards the
+/// horizon only a part is searched, what shows the smallest target large enough, and the corners are those of that
+/// part. A plain value; the reports are immutable, and copies share them.
 /// </summary>
 public struct CameraObservation
 {
@@ -31,7 +32,7 @@ public struct CameraObservation
         set => _reports = value;
     }
 
-    /// <summary>Where the centre of the top left pixel meets the ground.</summary>
+    /// <summary>Where the centre of the top left pixel of what was searched meets the ground.</summary>
     public GeodeticPosition TopLeft { get; set; }
 
     /// <summary>Where the top right pixel does.</summary>

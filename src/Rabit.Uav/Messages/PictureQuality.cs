@@ -15,13 +15,16 @@ public enum PictureQuality
     /// <summary>There is no pose for its time: no attitude or position arrives, or a clock is wrong.</summary>
     NoPose,
 
-    /// <summary>A corner of it does not show the ground.</summary>
+    /// <summary>Less than three tenths of it show the ground, near enough.</summary>
     NotGround,
 
     /// <summary>The detector failed, or the picture is not as the camera is described.</summary>
     NotSearched,
 
-    /// <summary>Its pixels are too large on the ground for the smallest class that is searched for.</summary>
+    /// <summary>
+    /// Its pixels are too large on the ground for the smallest class that is searched for, in more than seven tenths of
+    /// it.
+    /// </summary>
     TooCoarse,
 
     /// <summary>It is black: a lens cap, or no light.</summary>

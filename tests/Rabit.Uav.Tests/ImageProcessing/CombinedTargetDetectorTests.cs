@@ -30,6 +30,16 @@ public sealed class CombinedTargetDetectorTests
         MinColourShare = 0.65,
     };
 
+    private static readonly TargetClass Person = new("person")
+    {
+        Colour = new ColourRange(205, 28, 32),
+        MinSideMetres = 0.5,
+        MaxSideMetres = 1.3,
+        MinAspect = 1.3,
+        MaxAspect = 4.5,
+        MinColourShare = 0.35,
+    };
+
     private static readonly TargetClass Signal = new("signal")
     {
         Colour = new ColourRange(205, 28, 32),
@@ -79,6 +89,21 @@ public sealed class CombinedTargetDetectorTests
 
         Assert.Equal(["blue"], ClassesOf(Search(picture, TargetClass.Defaults, TargetClass.Defaults)));
         Assert.Equal(["car"], ClassesOf(Search(picture, classes, classes)));
+    }
+
+    [Fact]
+    public void Detect_JacketOfThePanelsColour_IsThePersonAndThePanelAPanel()
+    {
+        ImmutableArray<TargetClass> classes = [.. TargetClass.Defaults, Person];
+        var painting = new Painting(9);
+        painting.Rectangle(Red, 200, 150, 0.5 / MetresPerPixel, 0.6 / MetresPerPixel, 0);
+        painting.Rectangle(Red, 200, 147.5, 0.75 / MetresPerPixel, 0.25 / MetresPerPixel, 0);   // the arms
+        painting.Rectangle(Glass, 200, 159, 0.3 / MetresPerPixel, 0.8 / MetresPerPixel, 0);
+        painting.Panel(DefaultTargetClasses.Red, 400, 300, 13, 0.2);
+        byte[] picture = painting.Finish();
+
+        Assert.Equal(["red", "red"], ClassesOf(Search(picture, TargetClass.Defaults, TargetClass.Defaults)));
+        Assert.Equal(["person", "red"], ClassesOf(Search(picture, classes, classes)));
     }
 
     [Theory]

@@ -1,8 +1,11 @@
 using System;
 using System.Linq;
 using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
+using Rabit.Uav.SensorFusion;
 using Xunit;
 
 namespace Rabit.Uav.Tests.ImageProcessing;
@@ -200,6 +203,38 @@ public sealed class ImageProcessingManagerTests
         rig.AssertAllGivenBack();
     }
 
+    /// <summary>As of a camera that the mission points forward, of a vehicle that is pitched up by wind.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(0.2)]
+    [InlineData(-0.2)]
+    public void Frame_ThatReachesTheHorizon_IsSearchedWhereTheSmallestTargetIsResolved(double roll)
+    {
+        const double Height = 30;
+        const double Near = 26;
+        const double Far = 55;   // a pixel is 0.17 m there, and 0.15 m are needed
+        var view = new TestView { CameraPitch = -Math.PI / 4, Attitude = EulerAngles.FromRadians(roll, 0.32, 0) };
+        view.Position = GeodeticPosition.FromRadians(0.8, 0.15, view.GroundAltitude + Height);
+        var painting = new Painting(22);
+        PaintPanel(painting, view, Near);
+        PaintPanel(painting, view, Far);
+        using ImagingRig rig = ImagingRig.Search(painting.Finish());
+        (rig.View.CameraPitch, rig.View.Attitude, rig.View.Position) =
+            (view.CameraPitch, view.Attitude, view.Position);
+        rig.Order(ImagingMode.Search);
+        rig.AddPoses(0, 3);
+        rig.Camera!.Add(0, exposedAt: 1, deliveredAt: 1.1);
+        rig.Run(2);
+
+        CameraObservation observation = Assert.Single(rig.Sink.Observations);
+        var frame = LocalNedFrame.IgnoringGeoid(view.Position);
+        TargetReport report = Assert.Single(rig.Sink.Reports);
+        Assert.Equal(Near, frame.ToNed(report.Position).North, 0.3);
+        var footprint = Footprint.Of(observation, frame);
+        Assert.True(footprint.Contains(Near, 0, 0) && !footprint.Contains(Far, 0, 0));
+        AssertResolved(view, frame, observation);
+    }
+
     [Fact]
     public void Frame_WithoutABufferOrWithOneTooSmall_IsRefused()
     {
@@ -209,6 +244,33 @@ public sealed class ImageProcessingManagerTests
         rig.Run(2);
         Assert.Equal(PictureSearch.NoBuffer, rig.Status.LastRefusal);
         rig.AssertAllGivenBack();
+    }
+
+    private static void PaintPanel(Painting painting, TestView view, double north)
+    {
+        Assert.True(view.TryProject(north, 0, out double column, out double row));
+        Assert.True(view.TryProject(north, 1, out double columnToTheRight, out double rowToTheRight));
+        Assert.True(view.TryProject(north + 1, 0, out _, out double rowBeyond));
+        double angle = Math.Atan2(rowToTheRight - row, columnToTheRight - column);
+        painting.Rectangle(
+            Painting.Nominal(DefaultTargetClasses.Red), column, row, (columnToTheRight - column) / Math.Cos(angle),
+            (row - rowBeyond) * Math.Cos(angle), angle);
+    }
+
+    // The lower corners are those of the picture; the upper ones lie where pixels are as large as they may be.
+    private static void AssertResolved(TestView view, LocalNedFrame frame, CameraObservation observation)
+    {
+        GroundProjection projection = view.Projection(new ErrorBudget());
+        NedPosition bottomLeft = frame.ToNed(observation.BottomLeft);
+        Assert.True(projection.TryProjectToGround(0, Painting.Height - 1, out NedPosition expected));
+        Assert.Equal(0, bottomLeft.HorizontalDistanceTo(expected), 0.1);
+        foreach (GeodeticPosition corner in new[] { observation.TopLeft, observation.TopRight })
+        {
+            NedPosition ned = frame.ToNed(corner);
+            Assert.True(view.TryProject(ned.North * 0.99, ned.East * 0.99, out double column, out double row));
+            Assert.True(projection.TryScale(column, row, out GroundScale scale));
+            Assert.InRange(Math.Sqrt(scale.PixelArea), 0.138, 0.15);
+        }
     }
 
     private static void AssertCorners(TestView view, CameraObservation observation)

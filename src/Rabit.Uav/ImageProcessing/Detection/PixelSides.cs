@@ -6,7 +6,9 @@ namespace Rabit.Uav.ImageProcessing;
 /// <summary>How large the pixels of a picture are on the ground: sides of squares of their area, metres.</summary>
 internal readonly struct PixelSides
 {
-    private const int Places = 3;   // across, and down
+    // Across, and down; more where a part of the picture is not searched: its border is where pixels are largest.
+    private const int Places = 3;
+    private const int PlacesOfPart = 17;
 
     private PixelSides(double finest, double coarsest) => (Finest, Coarsest) = (finest, coarsest);
 
@@ -22,17 +24,30 @@ internal readonly struct PixelSides
     /// <summary>Of a picture, at its corners, in the middle of its borders, and in its own.</summary>
     public static PixelSides Of(in DetectorInput input)
     {
+        if (!IsGroundAt(input, Places, out PixelSides sides))
+            IsGroundAt(input, PlacesOfPart, out sides);
+        return sides;
+    }
+
+    private static bool IsGroundAt(in DetectorInput input, int places, out PixelSides sides)
+    {
+        bool isAll = true;
         (double finest, double coarsest) = (double.MaxValue, 0);
-        for (int i = 0; i < Places * Places; i++)
+        for (int i = 0; i < places * places; i++)
         {
-            double column = i % Places * (input.Width - 1.0) / (Places - 1);
-            double row = i / Places * (input.Height - 1.0) / (Places - 1);
+            double column = i % places * (input.Width - 1.0) / (places - 1);
+            double row = i / places * (input.Height - 1.0) / (places - 1);
             if (!input.GroundScale.TryAt(column, row, out GroundScale scale))
+            {
+                isAll = false;
                 continue;
+            }
+
             double side = Math.Sqrt(scale.PixelArea);
             (finest, coarsest) = (Math.Min(finest, side), Math.Max(coarsest, side));
         }
 
-        return new PixelSides(finest, coarsest);
+        sides = new PixelSides(finest, coarsest);
+        return isAll;
     }
 }

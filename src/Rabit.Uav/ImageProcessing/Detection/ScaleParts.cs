@@ -31,10 +31,7 @@ internal sealed class ScaleParts
         double finest = double.MaxValue;
         for (int i = 0; i < _sides.Length; i++)
         {
-            double column = (((i % Columns) + 0.5) * width / Columns) - 0.5;
-            double row = (((i / Columns) + 0.5) * height / Rows) - 0.5;
-            bool isGround = ground.TryAt(column, row, out _scales[i]);
-            _sides[i] = isGround ? Math.Sqrt(_scales[i].PixelArea) : 0;
+            _sides[i] = TryScale(ground, i, width, height) ? Math.Sqrt(_scales[i].PixelArea) : 0;
             if (_sides[i] > 0)
                 finest = Math.Min(finest, _sides[i]);
         }
@@ -43,6 +40,21 @@ internal sealed class ScaleParts
         double from = finest;
         while (_count < MaxParts && from < double.MaxValue)
             from = Add(from, width, height);
+    }
+
+    // In the middle of a tile; of one that is searched in part, at a corner.
+    private bool TryScale(in PictureGroundScale ground, int tile, int width, int height)
+    {
+        for (int i = -1; i < 4; i++)
+        {
+            double across = (tile % Columns) + (i < 0 ? 0.5 : i % 2);
+            double down = (tile / Columns) + (i < 0 ? 0.5 : i / 2);
+            if (ground.TryAt(
+                (across * width / Columns) - 0.5, (down * height / Rows) - 0.5, out _scales[tile]))
+                return true;
+        }
+
+        return false;
     }
 
     /// <summary>Adds the part from a side of a pixel on.</summary>

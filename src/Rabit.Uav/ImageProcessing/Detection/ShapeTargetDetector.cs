@@ -63,9 +63,6 @@ public sealed class ShapeTargetDetector : ITargetDetector
     // A colour further off is none of the class, whatever its form.
     private const double MaxColourCost = 8;
 
-    // The lens may bend the middle of the picture a little more than its corners.
-    private const double SlackForCorners = 1.5;
-
     // The cost at which a patch is as likely a target as not is the largest; by so much more, e times less likely.
     private const double CostScale = 3;
 
@@ -79,6 +76,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
     private readonly PatchGroups _groups = new();
     private readonly PatchCandidates _candidates = new();
     private readonly WhiteReference _white = new();
+    private readonly PixelAreas _areas = new();
     private readonly Patch[] _viable = new Patch[MaxViable];
     private readonly bool[] _isGrouped = new bool[MaxViable];
     private byte[] _copy = [];
@@ -149,23 +147,16 @@ public sealed class ShapeTargetDetector : ITargetDetector
             yield return $"target class {targetClass.Name} has no colour, which the shape detector needs";
     }
 
-    // What costs least comes first: a meadow may have thousands of coloured spots. A pixel reaches furthest on the
-    // ground at one of the corners: what is too small there is too small anywhere.
+    // What costs least comes first: a meadow may have thousands of coloured spots.
     private int KeepViable(in DetectorInput input)
     {
-        double largest = 0;
-        for (int corner = 0; corner < 4; corner++)
-        {
-            largest = input.GroundScale.TryAt(
-                corner % 2 * (input.Width - 1), corner / 2 * (input.Height - 1), out GroundScale scale)
-                ? Math.Max(largest, SlackForCorners * scale.PixelArea)
-                : double.PositiveInfinity;
-        }
-
+        _areas.Measure(input);
         int count = 0;
         foreach (ref readonly Patch patch in _finder.Patches)
         {
             double least = MinSeenSideOf(patch.Colour);
+            double largest = _areas.MaxAt(
+                input.GroundScale, (patch.Left + patch.Right) / 2.0, (patch.Top + patch.Bottom) / 2.0);
             if (patch.Pixels * largest >= least * least && count < MaxViable)
                 _viable[count++] = patch;
         }

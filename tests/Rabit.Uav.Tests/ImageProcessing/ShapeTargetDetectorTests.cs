@@ -1,0 +1,48 @@
+using System;
+using System.Linq;
+using Rabit.Geodesy;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.ImageProcessing.Geolocation;
+using Rabit.Uav.Messages;
+using Xunit;
+
+namespace Rabit.Uav.Tests.ImageProcessing;
+
+public sealed class ShapeTargetDetectorTests
+{
+    /// <summary>What is tiny where it lies is left out, however far the top of the picture reaches.</summary>
+    [Fact]
+    public void Detect_ThousandsOfTinySpotsInAPictureThatReachesFar_FindsThePanelAmongThem()
+    {
+        var view = new TestView { CameraPitch = -Math.PI / 4, Attitude = EulerAngles.FromRadians(0, 0.25, 0) };
+        (TargetDetection[] found, DetectorResult result) = Search(view, spots: 4000);
+
+        Assert.Null(result.Refusal);
+        Assert.Equal(DefaultTargetClasses.Blue, Assert.Single(found).Class);
+    }
+
+    private static (TargetDetection[] Found, DetectorResult Result) Search(TestView view, int spots)
+    {
+        var painting = new Painting(31);
+        (double red, double green, double blue) = Painting.Nominal(DefaultTargetClasses.Red);
+        for (int i = 0; i < spots; i++)
+        {
+            int at = (((260 + (4 * (i / 100))) * Painting.Width) + 100 + (4 * (i % 100))) * 3;
+            foreach (int pixel in new[] { at, at + 3, at + (3 * Painting.Width), at + 3 + (3 * Painting.Width) })
+            {
+                painting.Pixels[pixel] = (byte)red;
+                painting.Pixels[pixel + 1] = (byte)green;
+                painting.Pixels[pixel + 2] = (byte)blue;
+            }
+        }
+
+        painting.Rectangle(Painting.Nominal(DefaultTargetClasses.Blue), 320, 450, 26, 21, 0);
+        var detections = new TargetDetection[16];
+        (_, Rotation nedFromCamera) = view.Projection(new ErrorBudget()).CameraPose();
+        var input = new DetectorInput(
+            painting.Pixels, Painting.Width, Painting.Height, TargetClass.Defaults,
+            PictureGroundScale.OfLevelGround(view.Camera, nedFromCamera, 20));
+        DetectorResult result = new ShapeTargetDetector(TargetClass.Defaults).Detect(input, detections);
+        return (detections.Take(result.Count).ToArray(), result);
+    }
+}
