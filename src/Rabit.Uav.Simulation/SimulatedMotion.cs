@@ -14,4 +14,7 @@ public enum SimulatedMotion
 
     /// <summary>Short ways at 0.5 to 3 m/s, with a stop of up to 1 s and another course after each.</summary>
     Erratic = 3,
+
+    /// <summary>A vehicle on a closed road at a steady 8 m/s, in curves of 25 m radius too.</summary>
+    SteadyVehicle = 4,
 }

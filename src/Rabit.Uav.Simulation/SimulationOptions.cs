@@ -262,7 +262,7 @@ public sealed class SimulationOptions
         if (DistractorCount is < 0 or > 1000)
             yield return $"{nameof(DistractorCount)} is {DistractorCount}; it must be 0 to 1000";
         if (Motions is null || Motions.Count > TargetCount
-            || Motions.Any(m => m is < SimulatedMotion.Standing or > SimulatedMotion.Erratic))
+            || Motions.Any(m => m is < SimulatedMotion.Standing or > SimulatedMotion.SteadyVehicle))
             yield return $"{nameof(Motions)} must be motions that there are, at most one for each of the "
                 + $"{TargetCount} targets";
         if (TargetKinds is null

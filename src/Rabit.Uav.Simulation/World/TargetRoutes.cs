@@ -15,8 +15,7 @@ internal static class TargetRoutes
     private const double CheckEverySeconds = 0.125;
     private const int Tries = 1000;
     private const int Places = 8;
-    private const double CurveRadiusMetres = 6;
-    private const double CurveSpeed = 3;
+    private const double CourseSpeed = 8;
     private const ulong PurposeOfRoutes = 0x726F757465;
 
     /// <summary>The way of one target.</summary>
@@ -26,9 +25,12 @@ internal static class TargetRoutes
     {
         var polygon = new GroundPolygon(area.Select(c => (c.North, c.East)).ToArray(), nameof(area));
         var random = new SeededSequence(SeededSequence.Derive(seed, PurposeOfRoutes, (ulong)target.Id));
-        return motion == SimulatedMotion.Vehicle
-            ? Course(target, polygon, ref random)
-            : Wander(target, motion, polygon, ref random);
+        return motion switch
+        {
+            SimulatedMotion.Vehicle => Course(target, motion, polygon, (6, 3), ref random),
+            SimulatedMotion.SteadyVehicle => Course(target, motion, polygon, (25, CourseSpeed), ref random),
+            _ => Wander(target, motion, polygon, ref random),
+        };
     }
 
     // From place to place and back to the first, with a stop at each.
@@ -73,7 +75,9 @@ internal static class TargetRoutes
 
     // A rectangle with round corners, begun in the middle of a side; smaller as tries fail, and elsewhere where the
     // target lies too near to a corner of the area for any.
-    private static TargetRoute Course(SimulatedTarget target, GroundPolygon area, ref SeededSequence random)
+    private static TargetRoute Course(
+        SimulatedTarget target, SimulatedMotion motion, GroundPolygon area,
+        (double RadiusMetres, double MetresPerSecond) curve, ref SeededSequence random)
     {
         for (int attempt = 0; attempt < Tries; attempt++)
         {
@@ -87,32 +91,32 @@ internal static class TargetRoutes
             double turn = random.NextSigned() < 0 ? -1 : 1;
             double side = 6 + (74 * scale * random.NextUnit());
             double width = 6 + (44 * scale * random.NextUnit());
-            List<RouteLeg> legs = Rectangle(start, heading, turn, side, width);
+            List<RouteLeg> legs = Rectangle(start, heading, turn, (side, width), curve);
             if (legs.TrueForAll(l => IsInside(area, l)))
                 return new TargetRoute(legs);
         }
 
-        throw NoRoom(target, SimulatedMotion.Vehicle);
+        throw NoRoom(target, motion);
     }
 
     private static List<RouteLeg> Rectangle(
-        NedPosition start, double heading, double turn, double side, double width)
+        NedPosition start, double heading, double turn, (double Side, double Width) metres,
+        (double RadiusMetres, double MetresPerSecond) curve)
     {
-        const double Top = 8;
         const double Acceleration = 2;
         var legs = new List<RouteLeg>();
         NedPosition at = start;
-        double[] straights = [side / 2, width, side, width, side / 2];
+        double[] straights = [metres.Side / 2, metres.Width, metres.Side, metres.Width, metres.Side / 2];
+        (double radius, double slow) = curve;
         for (int i = 0; i < straights.Length; i++)
         {
             // The side that is begun in its middle is passed at the speed of the curves there.
-            legs.Add(new RouteLeg(at, heading, 0, straights[i], (CurveSpeed, Top, CurveSpeed), Acceleration, 0));
+            legs.Add(new RouteLeg(at, heading, 0, straights[i], (slow, CourseSpeed, slow), Acceleration, 0));
             at = legs[legs.Count - 1].PositionAt(legs[legs.Count - 1].Seconds);
             if (i == straights.Length - 1)
                 break;
             legs.Add(new RouteLeg(
-                at, heading, turn / CurveRadiusMetres, CurveRadiusMetres * Math.PI / 2,
-                (CurveSpeed, CurveSpeed, CurveSpeed), Acceleration, 0));
+                at, heading, turn / radius, radius * Math.PI / 2, (slow, slow, slow), Acceleration, 0));
             at = legs[legs.Count - 1].PositionAt(legs[legs.Count - 1].Seconds);
             heading += turn * Math.PI / 2;
         }

@@ -13,8 +13,8 @@ using Xunit.Abstractions;
 namespace Rabit.Uav.Simulation.Tests.Missions;
 
 /// <summary>
-/// A car of up to 8 m/s that turns at every corner is followed for a minute, by pictures alone: how much of the time it
-/// is in view, how far its track is off, and whether the track says so. The table of docs/managers/mission-control.md.
+/// A car of up to 8 m/s that turns at every corner, or one at a steady 8 m/s, is followed for a minute, by pictures
+/// alone: how much of the time it is in view, how far its track is off, and whether the track says so. The table of docs/managers/mission-control.md.
 /// </summary>
 public sealed class FastFollowTests(ITestOutputHelper output)
 {
@@ -22,6 +22,7 @@ public sealed class FastFollowTests(ITestOutputHelper output)
 
     // A car that is lost before it was captured: in one flight of ten.
     private const int MinCaptured = 9;
+    private const int MinCapturedSteady = 3;
 
     // Of the normal distribution, 95 % two-sided.
     private const double Quantile = 1.96;
@@ -34,19 +35,24 @@ public sealed class FastFollowTests(ITestOutputHelper output)
     [Fact, Trait("Category", "Long")]
     public void Follow_CameraHeldLevel_IsInViewAndItsTrackIsHonest()
     {
-        FastFollowFigures[] all = FlyAll(SimulatedGimbal.FollowsHeading);
+        FastFollowFigures[] all = FlyAll(SimulatedGimbal.FollowsHeading, SimulatedMotion.Vehicle);
         Assert.InRange(all.Sum(f => f.InView) / (double)all.Sum(f => f.Samples), 0.95, 1);
-        CheckTracks(all);
+        CheckTracks(all, MinCaptured);
     }
 
     // The share in view of a camera that leans with the vehicle is printed, and not what is asked for: see the table.
     [Fact, Trait("Category", "Long")]
     public void Follow_CameraFixedToTheBody_TrackIsHonest()
-        => CheckTracks(FlyAll(SimulatedGimbal.AgainstBody));
+        => CheckTracks(FlyAll(SimulatedGimbal.AgainstBody, SimulatedMotion.Vehicle), MinCaptured);
 
-    private static void CheckTracks(FastFollowFigures[] all)
+    // Two thirds of these are lost before they are captured, and one of three was lost again: see the table.
+    [Fact, Trait("Category", "Long")]
+    public void Follow_CarAtASteadyEightMetresPerSecond_TrackIsHonest()
+        => CheckTracks(FlyAll(SimulatedGimbal.FollowsHeading, SimulatedMotion.SteadyVehicle), MinCapturedSteady);
+
+    private static void CheckTracks(FastFollowFigures[] all, int minCaptured)
     {
-        Assert.InRange(all.Length, MinCaptured, Seeds);
+        Assert.InRange(all.Length, minCaptured, Seeds);
         double squares = all.Sum(f => f.Errors.Sum(e => e.SquaredMetres));
         Assert.InRange(Math.Sqrt(squares / all.Sum(f => f.Errors.Count)), 0, 4);
         Assert.InRange(all.Average(f => f.MeanNees), NeesLimit(all.Length, -Quantile), NeesLimit(all.Length, Quantile));
@@ -60,9 +66,9 @@ public sealed class FastFollowTests(ITestOutputHelper output)
         return 2 * Math.Pow(1 - part + (quantile * Math.Sqrt(part)), 3);
     }
 
-    private FastFollowFigures[] FlyAll(SimulatedGimbal gimbal)
+    private FastFollowFigures[] FlyAll(SimulatedGimbal gimbal, SimulatedMotion motion)
     {
-        FastFollowFigures[] all = Enumerable.Range(1, Seeds).Select(seed => Fly(seed, gimbal))
+        FastFollowFigures[] all = Enumerable.Range(1, Seeds).Select(seed => Fly(seed, gimbal, motion))
             .Where(f => f.IsCaptured).ToArray();
         double squares = all.Sum(f => f.Errors.Sum(e => e.SquaredMetres));
         Print("all", all.Sum(f => f.InView) / (double)all.Sum(f => f.Samples),
@@ -71,14 +77,14 @@ public sealed class FastFollowTests(ITestOutputHelper output)
         return all;
     }
 
-    private FastFollowFigures Fly(int seed, SimulatedGimbal gimbal)
+    private FastFollowFigures Fly(int seed, SimulatedGimbal gimbal, SimulatedMotion motion)
     {
         var options = new SimulationOptions
         {
             Seed = seed,
             TargetCount = 1,
             DistractorCount = 3,
-            Motions = [SimulatedMotion.Vehicle],
+            Motions = [motion],
             Camera = new SimulatedCameraOptions { Gimbal = gimbal },
         };
         options.TakePlacesFrom(SearchFlight.BundledPlan());

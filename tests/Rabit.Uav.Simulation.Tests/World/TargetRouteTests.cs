@@ -17,6 +17,7 @@ public sealed class TargetRouteTests
     [Theory]
     [InlineData(SimulatedMotion.Walking, 1.6, 0.9)]
     [InlineData(SimulatedMotion.Vehicle, 8.01, 2.6)]
+    [InlineData(SimulatedMotion.SteadyVehicle, 8.01, 2.6)]
     [InlineData(SimulatedMotion.Erratic, 3.01, 2.1)]
     public void PositionAt_TenMinutes_IsInsideTheAreaWithinItsSpeedAndAcceleration(
         SimulatedMotion motion, double maxSpeed, double maxAcceleration)
@@ -46,6 +47,14 @@ public sealed class TargetRouteTests
 
             Assert.True(fastest > 1, $"seed {seed}: {fastest} m/s");
         }
+    }
+
+    [Fact]
+    public void VelocityAt_SteadyVehicle_IsEightMetresPerSecondAlways()
+    {
+        SimulatedTarget target = World(1, SimulatedMotion.SteadyVehicle).Targets.First();
+        for (TimeSpan time = TimeSpan.Zero; time < TimeSpan.FromMinutes(2); time += Step)
+            Assert.Equal(8, Length(target.VelocityAt(time)), 6);
     }
 
     [Fact]
