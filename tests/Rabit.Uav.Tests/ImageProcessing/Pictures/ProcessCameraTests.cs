@@ -237,7 +237,7 @@ public sealed class ProcessCameraTests : IDisposable
     public void Read_MorePicturesThanWanted_PassesOverTheRest()
     {
         ProcessCameraOptions options = Options(
-            "while :; do cat \"$1\"; sleep 0.02; done", Path.Combine(Jpegs, "420.jpg"));
+            "while :; do cat \"$1\" \"$1\" \"$1\" \"$1\"; sleep 0.02; done", Path.Combine(Jpegs, "420.jpg"));
         options.MaxFramesPerSecond = 5;
         var frames = new List<CameraFrame>();
 
