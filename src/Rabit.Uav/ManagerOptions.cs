@@ -208,6 +208,7 @@ internal static class ManagerOptions
         made.ReturnClearanceMetres = options.Preflight.MinObstacleClearanceMetres;
         made.FindsFaultOfChange = changed => UavOptionsCheck.FindGapBetweenLanes(changed, options)
             ?? UavOptionsCheck.FindTooCoarse(changed, options);
+        made.SwathMetres = flown => UavOptionsCheck.SwathOf(flown, options);
         return made;
     }
 

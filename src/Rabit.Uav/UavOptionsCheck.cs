@@ -15,6 +15,9 @@ namespace Rabit.Uav;
 /// </summary>
 internal static class UavOptionsCheck
 {
+    // Of a camera that looks down.
+    private const double MaxDownPitchDegrees = -85;
+
     public static IReadOnlyList<string> FindFaults(UavOptions given)
     {
         var faults = new List<string>();
@@ -137,6 +140,19 @@ internal static class UavOptionsCheck
             : $"laneSpacingMetres of the mission is {MissionNumbers.Of(mission.LaneSpacingMetres)}, wider than the "
                 + $"picture: from heightMetres {MissionNumbers.Of(mission.HeightMetres)} the camera sees "
                 + $"{MissionNumbers.Of(width)} m across the lanes, and the ground between them would not be seen";
+    }
+
+    /// <summary>
+    /// How wide the strip is that a camera that looks down sees of a mission; null for others, and where a camera or
+    /// mission with faults says nothing of it.
+    /// </summary>
+    public static double? SwathOf(MissionPlan mission, UavOptions options)
+    {
+        ImageProcessingOptions imaging = ManagerOptions.ForImageProcessing(options);
+        if (mission.CameraPitch.Degrees > MaxDownPitchDegrees || !IsViewKnown(mission, options, imaging))
+            return null;
+        return PictureSwath.WidthMetres(
+            imaging.Camera!, imaging.Mount!, mission.CameraPitch, mission.CameraYaw, mission.HeightMetres);
     }
 
     /// <summary>

@@ -140,6 +140,12 @@ public sealed class MissionControlOptions
     /// </summary>
     internal Func<MissionPlan, string?>? FindsFaultOfChange { get; set; }
 
+    /// <summary>
+    /// How wide the strip is that the camera sees on a flight of a mission, metres; null where that is not known, or
+    /// the camera does not look down. Set where the system is composed.
+    /// </summary>
+    internal Func<MissionPlan, double?>? SwathMetres { get; set; }
+
     /// <exception cref="ArgumentException">
     /// Options are out of their range, or the mission cannot be flown; the text names all faults.
     /// </exception>

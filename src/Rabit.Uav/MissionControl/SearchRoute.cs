@@ -13,6 +13,9 @@ internal sealed class SearchRoute
     // A leg has a direction as long as its ends are apart by more than the acceptance radius of each.
     private const double MinLegMetres = 5;
 
+    // Of a square of the strip of a leg: as much may be missing of what another vehicle says it has seen.
+    private const double MaxLeftFraction = 0.02;
+
     // For less the order is kept.
     private const double MinGainMetres = 5;
 
@@ -43,6 +46,12 @@ internal sealed class SearchRoute
 
     /// <summary>How much of the leg to fly now has been flown.</summary>
     public double FlownMetresOfLeg { get; set; }
+
+    /// <summary>
+    /// How far the camera sees to each side of a leg; of legs beside each other those are left out that this makes
+    /// needless. 0 where each is to be flown.
+    /// </summary>
+    public double SeenToEachSideMetres { get; set; }
 
     /// <summary>How many have been flown.</summary>
     public int Flown { get; private set; }
@@ -192,30 +201,47 @@ internal sealed class SearchRoute
             _legs.InsertRange(i, UnseenOf(leg, overlapMetres));
         }
 
+        ThinOut();
         _shownLegs = default;
+    }
+
+    private void ThinOut()
+    {
+        if (LaneThinning.LanesPerPass(SeenToEachSideMetres, _spacingMetres) < 2)
+            return;
+        List<LaneSegment> kept = LaneThinning.Thin(
+            _legs.GetRange(Flown, _legs.Count - Flown), _plan.HeadingRadians + (Math.PI / 2), _spacingMetres / 2,
+            SeenToEachSideMetres, Coverage.CellMetres, p => Coverage.IsUnseen(p) && !IsSkipped(p));
+        _legs.RemoveRange(Flown, _legs.Count - Flown);
+        _legs.AddRange(kept);
     }
 
     private IEnumerable<LaneSegment> UnseenOf(LaneSegment leg, double overlapMetres)
     {
         PlanePoint along = (1 / leg.Length) * (leg.End - leg.Start);
         var right = new PlanePoint(-along.East, along.North);
-        var unseen = new List<(double From, double To)>();
+        var rows = new List<(double At, int Cells)>();
         double half = _spacingMetres / 2;
         double step = Coverage.CellMetres;
         for (double at = 0; at <= leg.Length; at += step)
         {
+            int cells = 0;
             for (double side = -half + (step / 2); side < half; side += step)
             {
                 PlanePoint cell = leg.Start + (at * along) + (side * right);
-                if (!Coverage.IsUnseen(cell) || IsSkipped(cell))
-                    continue;
-                unseen.Add((at, at));
-                break;
+                cells += Coverage.IsUnseen(cell) && !IsSkipped(cell) ? 1 : 0;
             }
+
+            if (cells > 0)
+                rows.Add((at, cells));
         }
 
-        foreach ((double from, double to) in LanePlanner.Join(unseen, gap: 2 * _spacingMetres))
+        foreach ((double from, double to) in LanePlanner.Join(rows.Select(r => (r.At, r.At)), gap: 2 * _spacingMetres))
         {
+            // A few cells that were missed are not worth the way.
+            double squareMetres = step * step * rows.Where(r => r.At >= from && r.At <= to).Sum(r => r.Cells);
+            if (squareMetres <= MaxLeftFraction * _spacingMetres * _spacingMetres)
+                continue;
             double first = Math.Max(0, from - overlapMetres);
             double last = Math.Min(leg.Length, Math.Max(to + overlapMetres, first + MinLegMetres));
             yield return new LaneSegment(leg.Start + (first * along), leg.Start + (last * along));

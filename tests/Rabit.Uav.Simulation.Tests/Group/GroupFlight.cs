@@ -20,15 +20,17 @@ internal sealed class GroupFlight : IDisposable
     private readonly List<MessageSubscriber<TrackList>> _tracks = [];
     private readonly List<StringBuilder> _logs = [];
     private readonly Action<int, RabitReactor>? _wire;
+    private readonly bool _isGroup;
 
     public GroupFlight(
         MissionPlan plan,
         SimulatedGroupOptions options,
         double layerSpacingMetres,
         bool hasEventLogs = false,
-        Action<int, RabitReactor>? wire = null)
+        Action<int, RabitReactor>? wire = null,
+        bool isGroup = true)
     {
-        _wire = wire;
+        (_wire, _isGroup) = (wire, isGroup);
         options.World.TakePlacesFrom(plan);
         Group = new SimulatedGroup(options);
         for (int i = 0; i < options.Vehicles; i++)
@@ -99,7 +101,9 @@ internal sealed class GroupFlight : IDisposable
             GroundCommands = new GroundCommandOptions { SystemIds = [255, 254] },
             MissionControl = new MissionControlOptions
             {
-                Group = new GroupOptions { HeightLayer = number, LayerSpacingMetres = layerSpacingMetres },
+                Group = _isGroup
+                    ? new GroupOptions { HeightLayer = number, LayerSpacingMetres = layerSpacingMetres }
+                    : null,
             },
             Communications =
             {
@@ -117,7 +121,8 @@ internal sealed class GroupFlight : IDisposable
             new ReactorOptions { StopsOnSignals = false, Log = entry => log.Append(entry).Append('\n') });
         reactor.Add(vehicle.World.CreateVehicle(telemetry.B));
         _missions.Add(reactor.Workspace.Subscribe<MissionStatus>(MessageNames.Mission));
-        _groups.Add(reactor.Workspace.Subscribe<GroupStatus>(MessageNames.Group));
+        if (_isGroup)
+            _groups.Add(reactor.Workspace.Subscribe<GroupStatus>(MessageNames.Group));
         _tracks.Add(reactor.Workspace.Subscribe<TrackList>(MessageNames.Tracks));
         _wire?.Invoke(number, reactor);
         Group.Attach(number, reactor);

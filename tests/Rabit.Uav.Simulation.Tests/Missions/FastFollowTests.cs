@@ -14,7 +14,8 @@ namespace Rabit.Uav.Simulation.Tests.Missions;
 
 /// <summary>
 /// A car of up to 8 m/s that turns at every corner, or one at a steady 8 m/s, is followed for a minute, by pictures
-/// alone: how much of the time it is in view, how far its track is off, and whether the track says so. The table of docs/managers/mission-control.md.
+/// alone: how much of the time it is in view, how far its track is off, and whether the track says so. The table of
+/// docs/managers/mission-control.md.
 /// </summary>
 public sealed class FastFollowTests(ITestOutputHelper output)
 {

@@ -19,6 +19,8 @@ public sealed class GroupOptions
     /// <summary>The highest layer.</summary>
     public const int MaxLayer = 7;
 
+    private const double MaxDetourMetres = 100_000;
+
     /// <summary>Vehicles at different heights are at least this far apart, metres.</summary>
     internal const double SeparationMetres = 15;
 
@@ -44,6 +46,13 @@ public sealed class GroupOptions
     /// <value>0 to 10 min. The default is 2 min.</value>
     public TimeSpan MaxWait { get; set; } = TimeSpan.FromMinutes(2);
 
+    /// <summary>
+    /// How much way a vehicle that has lanes to fly makes between two of them to validate a target of another one.
+    /// Targets that are farther away are validated when the lanes are flown, or in passing.
+    /// </summary>
+    /// <value>0 to 100 000 m. The default is 150 m.</value>
+    public double MaxValidationDetourMetres { get; set; } = 150;
+
     /// <summary>How much higher than the mission says this vehicle flies.</summary>
     internal double LayerMetres => HeightLayer * LayerSpacingMetres;
 
@@ -63,5 +72,9 @@ public sealed class GroupOptions
             yield return $"{nameof(SilentAfter)} is {SilentAfter}; it must be 2 to 60 s";
         if (MaxWait < TimeSpan.Zero || MaxWait > TimeSpan.FromMinutes(10))
             yield return $"{nameof(MaxWait)} is {MaxWait}; it must be 0 to 10 min";
+        if (!(MaxValidationDetourMetres >= 0 && MaxValidationDetourMetres <= MaxDetourMetres))
+            yield return FormattableString.Invariant(
+                $"{nameof(MaxValidationDetourMetres)} is {MaxValidationDetourMetres}; it must be 0 to ")
+                + FormattableString.Invariant($"{MaxDetourMetres}");
     }
 }

@@ -7,7 +7,7 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// Divides lanes among vehicles so that the last one is done as early as possible: each has a run of neighbouring
+/// Divides lanes among vehicles so that the last one has landed as early as possible: each has a run of neighbouring
 /// lanes. The orders of up to five vehicles along the lanes are all tried; more of them are in the order in which they
 /// stand. For each order the time is found by bisection.
 /// </summary>
@@ -25,7 +25,12 @@ internal static class LaneDivider
     /// <param name="Position">Where it is.</param>
     /// <param name="Speed">On the lanes, metres per second.</param>
     /// <param name="Seconds">How long it can search.</param>
-    public readonly record struct Member(byte SystemId, PlanePoint Position, double Speed, double Seconds);
+    /// <param name="Landing">Where it lands after it; null where the way there does not count.</param>
+    /// <param name="HeightSeconds">How long it climbs before and sinks after it.</param>
+    /// <param name="LanesPerPass">For how many lanes beside each other it flies once.</param>
+    public readonly record struct Member(
+        byte SystemId, PlanePoint Position, double Speed, double Seconds, PlanePoint? Landing = null,
+        double HeightSeconds = 0, int LanesPerPass = 1);
 
     /// <summary>Divides all lanes; the shares are in the order of the system ids.</summary>
     /// <param name="lanes">The lanes, in the order in which they lie.</param>
@@ -80,41 +85,68 @@ internal static class LaneDivider
         int next = 0;
         for (int i = 0; i < order.Length; i++)
         {
-            Member member = order[i];
-            double limit = isLimited ? Math.Min(seconds, member.Seconds) : seconds;
-            double taken = 0;
-            bool isFirst = true;
-            for (; next < lanes.Count; next++)
-            {
-                if (!(left[next] > 0))
-                    continue;
-                double more = SecondsOf(left[next], member)
-                    + (isFirst ? DistanceTo(lanes[next], member.Position) / member.Speed : 0);
-                if (taken + more > limit)
-                    break;
-                (taken, isFirst) = (taken + more, false);
-            }
-
-            ends[i] = next;
+            ends[i] = next = Fill(lanes, left, order[i], next, seconds, isLimited);
         }
 
         return next == lanes.Count ? ends : null;
     }
 
+    // The end of the run of one that begins at a lane.
+    private static int Fill(
+        IReadOnlyList<LaneSegment> lanes, IReadOnlyList<double> left, Member member, int next, double seconds,
+        bool isLimited)
+    {
+        double taken = 0;
+        double home = double.PositiveInfinity;
+        int inRun = 0;
+        for (; next < lanes.Count; next++)
+        {
+            if (!(left[next] > 0))
+            {
+                // Its neighbours on both sides are flown as the first of a run.
+                inRun = taken > 0 && inRun > 0 ? 1 : 0;
+                continue;
+            }
+
+            double more = (IsFlown(inRun, member.LanesPerPass) ? SecondsOf(left[next], member) : 0)
+                + (taken > 0 ? 0 : DistanceTo(lanes[next], left[next], member.Position) / member.Speed);
+            home = Math.Min(home, HomeSeconds(lanes[next], member));
+            bool isTooLate = taken + more + home + member.HeightSeconds > seconds;
+            if (isTooLate || (isLimited && taken + more > member.Seconds))
+                break;
+            (taken, inRun) = (taken + more, inRun + 1);
+        }
+
+        return next;
+    }
+
+    // The first lane of a run, its last one, and between them those from which the others are seen.
+    private static bool IsFlown(int inRun, int lanesPerPass)
+        => inRun == 0 || lanesPerPass <= 1 || (inRun - 1) % lanesPerPass == 0;
+
+    private static double HomeSeconds(LaneSegment lane, Member member)
+        => member.Landing is { } landing ? DistanceTo(lane, landing) / member.Speed : 0;
+
     private static double UpperBound(IReadOnlyList<LaneSegment> lanes, IReadOnlyList<double> left, Member member)
     {
         double sum = 0;
         double far = 0;
+        double home = 0;
         for (int i = 0; i < lanes.Count; i++)
         {
             sum += SecondsOf(left[i], member);
             far = Math.Max(far, DistanceTo(lanes[i], member.Position));
+            home = Math.Max(home, HomeSeconds(lanes[i], member));
         }
 
-        return sum + (far / member.Speed) + 1;
+        return sum + (far / member.Speed) + home + member.HeightSeconds + 1;
     }
 
     private static double SecondsOf(double metres, Member member) => (metres / member.Speed) + TurnSeconds;
+
+    // Who is on it goes on from there.
+    private static double DistanceTo(LaneSegment lane, double left, PlanePoint from)
+        => left < lane.Length ? lane.DistanceTo(from) : DistanceTo(lane, from);
 
     private static double DistanceTo(LaneSegment lane, PlanePoint from)
         => Math.Min(lane.Start.DistanceTo(from), lane.End.DistanceTo(from));

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
@@ -8,11 +9,14 @@ namespace Rabit.Uav.MissionControl;
 // Targets that a second vehicle validates.
 internal sealed partial class MissionGroup
 {
-    // The flight over a target, there and back, and what is kept beside the time of the way.
+    // The flight over a target, there and back, and what is kept beside the time of the way. It takes less where the
+    // target is seen.
     private const double PassSeconds = 30;
     private const double ReserveSeconds = 30;
+    private const double SeenSeconds = 10;
 
     private TargetValidation? _validation;
+    private bool _hadLanes;
 
     /// <summary>What of a target is looked at now; null for nothing.</summary>
     public ValidationLook? CurrentLook => _validation?.Look;
@@ -34,7 +38,8 @@ internal sealed partial class MissionGroup
     /// <summary>A picture of our own that was searched.</summary>
     public void Look(MissionFlight flight, in CameraObservation observation)
     {
-        _validation?.Look?.Take(observation);
+        if (flight.Plan is { } plan)
+            _validation?.Take(observation, plan.Frame);
         TakeOwnReports(flight, observation);
     }
 
@@ -50,7 +55,8 @@ internal sealed partial class MissionGroup
     /// <returns>Which, as text; null where there is none.</returns>
     public string? NextValidation(MissionFlight flight)
     {
-        if (_validation is not { Next: { } task } validation)
+        if (_validation is not { } validation
+            || validation.Next(flight.Position, flight.Plan!.Frame) is not { } task)
             return null;
         validation.Begin(task, flight.Plan!.Frame);
         if (RevisitPass.Plan(flight, validation.Look!.Place) is not null)
@@ -79,19 +85,58 @@ internal sealed partial class MissionGroup
         List<byte> able = present.Where(m => m.Report.State == GroupMemberState.Available).Select(m => m.SystemId)
             .ToList();
         _validation?.Update(flight, SystemId, able);
+        bool hasLanes = flight.Route?.Current is not null;
+        if (_hadLanes && !hasLanes)
+            _validation?.BidForOpen(t => SecondsTo(flight, t));
+        _hadLanes = hasLanes;
     }
 
-    // Null where we cannot: not in the air, or with too little energy.
+    // Null where we cannot: not in the air, with lanes to fly from which it is too far, or with too little energy.
     private double? SecondsTo(MissionFlight flight, ValidationTask task)
     {
         if (_own.State != GroupMemberState.Available || !flight.IsFlying)
             return null;
+        if (_validation!.WasSeen(task))
+            return 0;
         PlanePoint place = ValidationLook.PlaceOf(flight.Plan!.Frame, task.Position);
-        double seconds = (flight.Position.DistanceTo(place) / flight.Mission.SpeedMetresPerSecond)
-            + (PassSeconds * _validation!.Waiting);
+        if (DetourMetres(flight, place) > options.MaxValidationDetourMetres)
+            return null;
+        double seconds = MetresTo(flight, place) / flight.Mission.SpeedMetresPerSecond;
         EnergyStatus energy = flight.Energy.Status;
         bool isEnough = !energy.IsKnown
             || energy.TimeToReturn.TotalSeconds > seconds + PassSeconds + ReserveSeconds;
         return isEnough && RevisitPass.Plan(flight, place) is not null ? seconds : null;
+    }
+
+    // From the end of the lane that we fly to the next one, instead of straight; 0 where all are flown.
+    private static double DetourMetres(MissionFlight flight, PlanePoint place)
+    {
+        if (flight.Route is not { Current: { } lane } route)
+            return 0;
+        PlanePoint next = route.Following?.Start ?? lane.End;
+        return lane.End.DistanceTo(place) + place.DistanceTo(next) - lane.End.DistanceTo(next);
+    }
+
+    // By what we are to fly over before.
+    private double MetresTo(MissionFlight flight, PlanePoint place)
+    {
+        PlanePoint from = flight.Position;
+        double metres = 0;
+        if (flight.Route?.Current is { } lane)
+        {
+            metres = lane.DistanceTo(from) + lane.Length - flight.Route.FlownMetresOfLeg;
+            from = lane.End;
+        }
+
+        LocalNedFrame frame = flight.Plan!.Frame;
+        IReadOnlyList<(ValidationTask Task, double Metres)> way = _validation!.WayThroughJobs(from, frame);
+        if (way.Count > 0)
+        {
+            (ValidationTask last, double before) = way[way.Count - 1];
+            metres += before + (way.Count * SeenSeconds * flight.Mission.SpeedMetresPerSecond);
+            from = ValidationLook.PlaceOf(frame, last.Position);
+        }
+
+        return metres + from.DistanceTo(place);
     }
 }

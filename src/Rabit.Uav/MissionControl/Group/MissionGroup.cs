@@ -21,6 +21,10 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
 
     private const double UnlimitedSeconds = ushort.MaxValue;
 
+    // The usual defaults of multirotors.
+    private const double ClimbMetresPerSecond = 2.5;
+    private const double SinkMetresPerSecond = 1.5;
+
     private readonly GroupMembers _members = new(options.SilentAfter);
     private readonly GroupDivision _division = new();
     private readonly CoverageExchange _coverage = new();
@@ -140,6 +144,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         if (share.SystemId == 0)
             return;
         (_share, _doneSince) = (share, null);
+        route.SeenToEachSideMetres = SeenToEachSide(flight);
         route.SetRest(lanes.Of(share), flight.OverlapMetres, flight.Position);
         string which = share.Count == 0
             ? $"none of {MissionNumbers.Of(lanes.Lanes.Count)} lanes is ours"
@@ -277,11 +282,32 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         MissionFlight flight, SharedLanes lanes, IReadOnlyList<(byte SystemId, GroupReport Report)> members)
         => LaneDivider.Divide(lanes.Lanes, lanes.MetresLeft, members.Select(m => MemberOf(flight, m)).ToArray());
 
+    // The others have cameras as ours: what they see differs by their heights.
     private static LaneDivider.Member MemberOf(MissionFlight flight, (byte SystemId, GroupReport Report) member)
     {
-        NedPosition at = flight.Plan!.Frame.ToNed(member.Report.Position);
+        GroupReport report = member.Report;
+        PlanePoint landing = PlaceOf(flight, report.LandingPlace);
+        double height = report.SearchAltitudeAmslMetres - report.LandingPlace.AltitudeAmslMetres;
+        double climb = Math.Max(0, report.SearchAltitudeAmslMetres - report.Position.AltitudeAmslMetres);
+        double seen = SeenToEachSide(flight) * height / flight.Mission.HeightMetres;
         return new LaneDivider.Member(
-            member.SystemId, new PlanePoint(at.North, at.East), member.Report.SpeedMetresPerSecond,
-            member.Report.SearchTime.TotalSeconds);
+            member.SystemId, PlaceOf(flight, report.Position), report.SpeedMetresPerSecond,
+            report.SearchTime.TotalSeconds, landing, (climb / ClimbMetresPerSecond) + (height / SinkMetresPerSecond),
+            LaneThinning.LanesPerPass(seen, flight.Mission.LaneSpacingMetres));
+    }
+
+    private static PlanePoint PlaceOf(MissionFlight flight, GeodeticPosition position)
+    {
+        NedPosition at = flight.Plan!.Frame.ToNed(position);
+        return new PlanePoint(at.North, at.East);
+    }
+
+    // 0 where that is not known.
+    private static double SeenToEachSide(MissionFlight flight)
+    {
+        MissionPlan mission = flight.Mission;
+        return flight.Options.SwathMetres?.Invoke(mission) is { } width
+            ? Math.Max(0, (width / 2) - (LaneThinning.SwayFraction * mission.HeightMetres))
+            : 0;
     }
 }

@@ -87,6 +87,10 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
             return Finish(flight, wasObserved: _overhead is not null, "no longer confirmed");
         if (inPhase > _limit)
             return Finish(flight, wasObserved: false, "not reached in time");
+
+        // A validation answers one question; what the pass would add to the accuracy is not worth its time to a group.
+        if (_look?.IsEnough == true)
+            return Finish(flight, wasObserved: true, "seen");
         flight.Text = _look is not null ? $"validating {MissionGroup.Name(_look.Task)}"
             : track is null ? "revisiting a place"
             : $"revisiting track {MissionNumbers.Of(_track)}, {Revisits.Name(track)}";

@@ -83,7 +83,7 @@ internal sealed class SearchingState : MissionState
             return Fly(flight, lane);
         MissionStep step = Finish(flight);
         if (step.What == MissionEvent.Searched && flight.Group?.FindWait(flight) is { } wait)
-            return Wait(flight, wait);
+            return WaitAtHome(flight, wait);
         return step.What == MissionEvent.Searched && IsKeepOutOnTheWayHome(flight) ? MissionStep.Stay : step;
     }
 
@@ -92,6 +92,17 @@ internal sealed class SearchingState : MissionState
         flight.Text = text;
         _waiting ??= (flight.Position, flight.Vehicle.Attitude.Yaw.Radians);
         flight.SetGoalPosition(_waiting.Value.At, flight.Mission.HeightMetres, _waiting.Value.Heading);
+        return MissionStep.Stay;
+    }
+
+    // What is still to come is little: the way home is not for the end of it. In its layer it is clear of the others.
+    private MissionStep WaitAtHome(MissionFlight flight, string text)
+    {
+        flight.Text = text;
+        if (_waiting is null)
+            _homeward.Begin(flight, default);
+        _waiting ??= (default, flight.Vehicle.Attitude.Yaw.Radians);
+        flight.SetGoalPosition(_homeward.Next(flight), flight.Mission.HeightMetres, _waiting.Value.Heading);
         return MissionStep.Stay;
     }
 

@@ -18,6 +18,7 @@ internal sealed class TargetValidation(ushort session, IValidationSender sender,
     private readonly ValidationFinder _finder = new(session, sender, log);
     private readonly ValidationBidder _bidder = new(sender);
     private readonly List<TargetTrack> _own = [];
+    private readonly Dictionary<(byte Finder, ushort Session, ushort Number), ValidationLook> _inPassing = [];
 
     /// <summary>Messages that were refused.</summary>
     public long Refused => _finder.Refused + _bidder.Refused;
@@ -30,10 +31,31 @@ internal sealed class TargetValidation(ushort session, IValidationSender sender,
     public bool IsPending => _finder.IsPending || _bidder.Tasks.Any(t => t.State != ValidationState.Closed);
 
     /// <summary>What is to be flown over now; null while there is nothing, and while it is flown over.</summary>
-    public ValidationTask? Next => Look is null ? _bidder.Next : null;
+    /// <param name="from">Where we are: the nearest one comes first.</param>
+    /// <param name="frame">Of the plan.</param>
+    public ValidationTask? Next(PlanePoint from, LocalNedFrame frame)
+        => Look is null && WayThroughJobs(from, frame) is { Count: > 0 } way ? way[0].Task : null;
 
-    /// <summary>How many are to be flown over.</summary>
-    public int Waiting => _bidder.Waiting;
+    /// <summary>What is to be flown over, each time the nearest next, and how far it is to there.</summary>
+    public IReadOnlyList<(ValidationTask Task, double Metres)> WayThroughJobs(PlanePoint from, LocalNedFrame frame)
+    {
+        var left = _bidder.Jobs.Select(t => (Task: t, Place: ValidationLook.PlaceOf(frame, t.Position))).ToList();
+        var way = new List<(ValidationTask Task, double Metres)>();
+        double metres = 0;
+        while (left.Count > 0)
+        {
+            (ValidationTask task, PlanePoint place) = left.OrderBy(j => j.Place.DistanceTo(from)).First();
+            left.RemoveAll(j => ValidationBidder.KeyOf(j.Task) == ValidationBidder.KeyOf(task));
+            metres += from.DistanceTo(place);
+            way.Add((task, metres));
+            from = place;
+        }
+
+        return way;
+    }
+
+    /// <summary>We can fly now: bids for all that is open.</summary>
+    public void BidForOpen(Func<ValidationTask, double?> secondsTo) => _bidder.BidForOpen(secondsTo);
 
     /// <summary>What is flown over; null for nothing.</summary>
     public ValidationLook? Look { get; private set; }
@@ -78,13 +100,31 @@ internal sealed class TargetValidation(ushort session, IValidationSender sender,
                 _finder.Announce(track.Id, target);
         }
 
+        FinishSeen(flight.Now);
         _finder.Update(present, flight.Now);
         _bidder.Update(flight.Now);
         if (Look is { } look && !_bidder.IsOurs(look.Task))
             Look = null;
     }
 
-    /// <summary>Begins to look at <see cref="Next"/>.</summary>
+    /// <summary>A picture of our own that was searched: it may show targets of others beside the lane we fly.</summary>
+    public void Take(in CameraObservation observation, LocalNedFrame frame)
+    {
+        Look?.Take(observation);
+        foreach (ValidationTask task in _bidder.Tasks)
+        {
+            if (task.State == ValidationState.Closed)
+                _inPassing.Remove(ValidationBidder.KeyOf(task));
+            else
+                LookInPassing(task, frame).Take(observation);
+        }
+    }
+
+    /// <summary>Whether our pictures have shown a target often enough to confirm it, on our way.</summary>
+    public bool WasSeen(in ValidationTask task)
+        => _inPassing.TryGetValue(ValidationBidder.KeyOf(task), out ValidationLook? look) && look.IsEnough;
+
+    /// <summary>Begins to look at the next one.</summary>
     public void Begin(ValidationTask task, LocalNedFrame frame) => Look = new ValidationLook(task, frame);
 
     /// <summary>Ends the look.</summary>
@@ -99,6 +139,27 @@ internal sealed class TargetValidation(ushort session, IValidationSender sender,
     {
         _bidder.DeclineAll(now);
         Look = null;
+    }
+
+    private ValidationLook LookInPassing(in ValidationTask task, LocalNedFrame frame)
+    {
+        (byte, ushort, ushort) key = ValidationBidder.KeyOf(task);
+        if (!_inPassing.TryGetValue(key, out ValidationLook? look))
+            _inPassing[key] = look = new ValidationLook(task, frame);
+        return look;
+    }
+
+    // What is flown over now ends by its own look.
+    private void FinishSeen(TimeSpan now)
+    {
+        ValidationTask[] seen = _bidder.Tasks.Where(t => _bidder.IsOurs(t) && WasSeen(t)).ToArray();
+        foreach (ValidationTask task in seen)
+        {
+            if (Look is { } look && ValidationBidder.KeyOf(look.Task) == ValidationBidder.KeyOf(task))
+                continue;
+            log($"{MissionGroup.Name(task)}: confirmed in passing");
+            _bidder.Finish(task, ValidationResult.Confirmed, now);
+        }
     }
 
     // A task that was withdrawn has no result.

@@ -27,12 +27,9 @@ internal sealed class ValidationBidder(IValidationSender sender)
 
     public IEnumerable<ValidationTask> Tasks => _tasks.Values;
 
-    /// <summary>What is to be flown next; null for nothing.</summary>
-    public ValidationTask? Next
-        => _jobs.Find(j => j.State == ValidationBidState.Underway) is { } job ? _tasks[job.Key] : null;
-
-    /// <summary>How many are to be flown.</summary>
-    public int Waiting => _jobs.Count(j => j.State == ValidationBidState.Underway);
+    /// <summary>What is to be flown, in the order in which it was awarded.</summary>
+    public IEnumerable<ValidationTask> Jobs
+        => _jobs.Where(j => j.State == ValidationBidState.Underway).Select(j => _tasks[j.Key]);
 
     /// <summary>Whether a task is ours to fly.</summary>
     public bool IsOurs(in ValidationTask task)
@@ -71,6 +68,16 @@ internal sealed class ValidationBidder(IValidationSender sender)
             Bid(task, secondsTo(task));
         else if (isOurs)
             _jobs.Find(j => j.Key == key)!.SendAt = now;
+    }
+
+    /// <summary>We can fly now, where we could not before: bids for all that is open, unasked.</summary>
+    public void BidForOpen(Func<ValidationTask, double?> secondsTo)
+    {
+        foreach (ValidationTask task in _tasks.Values.Where(t => t.State == ValidationState.Open))
+        {
+            if (secondsTo(task) is { } seconds)
+                Bid(task, seconds);
+        }
     }
 
     /// <summary>A job is done.</summary>
@@ -126,7 +133,8 @@ internal sealed class ValidationBidder(IValidationSender sender)
         },
         task.Finder);
 
-    private static (byte Finder, ushort Session, ushort Number) KeyOf(in ValidationTask task)
+    /// <summary>What a task is known by.</summary>
+    public static (byte Finder, ushort Session, ushort Number) KeyOf(in ValidationTask task)
         => (task.Finder, task.Session, task.Number);
 
     private sealed class Job((byte Finder, ushort Session, ushort Number) key, ushort award)

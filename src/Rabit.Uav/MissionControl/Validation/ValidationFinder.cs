@@ -24,6 +24,9 @@ internal sealed class ValidationFinder(ushort session, IValidationSender sender,
 
     private static readonly TimeSpan Repeat = TimeSpan.FromSeconds(1);
     private static readonly TimeSpan BidTime = TimeSpan.FromSeconds(2);
+
+    // None can now: who can later says so by itself.
+    private static readonly TimeSpan DeclinedRepeat = TimeSpan.FromSeconds(10);
     private static readonly TimeSpan MaxSilence = TimeSpan.FromSeconds(10);
     private static readonly TimeSpan ClosedRepeats = TimeSpan.FromSeconds(4);
 
@@ -105,7 +108,8 @@ internal sealed class ValidationFinder(ushort session, IValidationSender sender,
         int active = _tasks.Count(t => t.Task.State == ValidationState.Awarded);
         foreach (OwnTask task in _tasks)
         {
-            if (task.Task.State == ValidationState.Open && (present.Count == 0 || active++ >= MaxActive))
+            bool isPut = task.IsDeclined && now < task.SendAt && task.Bids.Count == 0;
+            if (task.Task.State == ValidationState.Open && !isPut && (present.Count == 0 || active++ >= MaxActive))
             {
                 task.BidsSince = null;
                 continue;
@@ -116,7 +120,7 @@ internal sealed class ValidationFinder(ushort session, IValidationSender sender,
             if (now < task.SendAt || isQuiet)
                 continue;
             sender.Send(task.Task);
-            task.IsAsked = false;
+            (task.IsAsked, task.IsDeclined) = (false, false);
             task.SendAt = now + (task.Task.State == ValidationState.Awarded ? AwardedRepeat : Repeat);
         }
     }
@@ -162,6 +166,8 @@ internal sealed class ValidationFinder(ushort session, IValidationSender sender,
         }
 
         // Who declined may be able to later.
+        if (best == 0 && task.Bids.Count > 0)
+            (task.IsDeclined, task.SendAt) = (true, now + DeclinedRepeat);
         task.Bids.Clear();
         task.BidsSince = now;
         if (best == 0)
@@ -190,6 +196,9 @@ internal sealed class ValidationFinder(ushort session, IValidationSender sender,
         public Dictionary<byte, double> Bids { get; } = [];
 
         public TimeSpan? BidsSince { get; set; }
+
+        /// <summary>Whether all who answered declined, when it was announced last.</summary>
+        public bool IsDeclined { get; set; }
 
         public TimeSpan LastAnswer { get; set; }
 

@@ -102,7 +102,8 @@ public sealed class GroupFollowingTests
     [Fact]
     public void Target_IsLostAndSeenAgain_IsFollowedOn()
     {
-        using GroupRig rig = Open(2, followSeconds: 60);
+        // So high that from one turn of the search what lies at the one before is in view.
+        using GroupRig rig = Open(2, followSeconds: 60, firstLayer: 1);
         double? hidden = null;
         Func<TimeSpan, (double, double)?> walker = Walker(0.8);
         Add(rig, t => hidden is { } from && t.TotalSeconds > from && t.TotalSeconds < from + 20 ? null : walker(t));
@@ -201,7 +202,8 @@ public sealed class GroupFollowingTests
         }
     }
 
-    private static GroupRig Open(int vehicles, int seed = 1, double followSeconds = 20, string area = Field)
+    private static GroupRig Open(
+        int vehicles, int seed = 1, double followSeconds = 20, string area = Field, int firstLayer = 0)
         => new(
             vehicles,
             MissionRig.Mission(
@@ -209,5 +211,6 @@ public sealed class GroupFollowingTests
                     + "\"revisit\": { \"maxWayFraction\": 2, \"followSeconds\": "
                     + followSeconds.ToString(System.Globalization.CultureInfo.InvariantCulture) + " }",
                 area),
-            seed);
+            seed,
+            (number, options) => options.Group!.HeightLayer = firstLayer + number);
 }

@@ -35,6 +35,22 @@ public sealed class GroupSearchTests
         Assert.True(three.Seconds < 0.6 * one.Seconds, $"{three.Seconds} s and {one.Seconds} s" + three.Story);
     }
 
+    // Until then it takes lanes of the slow one; the way back is behind it when the others are done.
+    [Fact]
+    public void Search_OneIsVerySlow_TheOtherWaitsAtItsLandingPlace()
+    {
+        using GroupRig rig = Open(2);
+        rig.Rigs[0].Vehicle.MaxSpeed = 2.5;
+        StandInVehicle waiting = rig.Rigs[1].Vehicle;
+        Assert.True(rig.RunUntil(() => IsWaiting(rig.Rigs[1]), 900), rig.Story);
+        Assert.True(new PlanePoint(waiting.North, waiting.East).Length > 100, rig.Story);
+        Assert.True(rig.RunUntil(() => rig.Rigs[1].Status.Phase == MissionPhase.Returning, 900), rig.Story);
+        Assert.InRange(new PlanePoint(waiting.North, waiting.East).Length, 0, 5);
+    }
+
+    private static bool IsWaiting(MissionRig rig)
+        => rig.Status.Text?.StartsWith("our lanes are flown", System.StringComparison.Ordinal) == true;
+
     [Fact]
     public void Search_OneIsSlow_TheOthersTakeSomeOfItsLanes()
     {

@@ -17,12 +17,13 @@ public sealed class GroupSearcherTests
     private const double MaxSecondsWithoutSearcher = 5;
 
     [Theory]
-    [InlineData(2, 2)]
-    [InlineData(3, 3)]
-    [InlineData(3, 5)]
-    public void Targets_AsManyAsVehicles_OneSearchesOnAndAllAreFollowedInTheEnd(int vehicles, int targets)
+    [InlineData(2, 2, 60)]
+    [InlineData(3, 3, 60)]
+    [InlineData(3, 5, 200)]
+    public void Targets_AsManyAsVehicles_OneSearchesOnAndAllAreFollowedInTheEnd(
+        int vehicles, int targets, double followSeconds)
     {
-        using GroupRig rig = Open(vehicles, targets);
+        using GroupRig rig = Open(vehicles, targets, followSeconds);
         double longest = RunToEnd(rig);
         Assert.True(longest <= MaxSecondsWithoutSearcher, $"{longest} s without one that searches: {rig.Story}");
         Assert.All(rig.Rigs, r => Assert.Equal(MissionOutcome.Accomplished, r.Status.Result.Outcome));

@@ -48,7 +48,7 @@ public sealed class GroupValidationTests
     [Fact]
     public void Target_FoundByTwoAtOnce_IsValidatedOnce()
     {
-        using GroupRig rig = Open(3, targets: 0);
+        using GroupRig rig = Open(3, targets: 0, maxDetourMetres: 1000);
         Assert.True(rig.RunUntil(() => rig.Rigs.All(r => r.Status.Phase == MissionPhase.Searching), 200), rig.Story);
         for (int i = 0; i < 2; i++)
         {
@@ -61,6 +61,48 @@ public sealed class GroupValidationTests
         rig.Run(3);
         Assert.Single(Tasks(rig, 0), t => t.State == ValidationState.Awarded);
         Assert.Equal([1], Tasks(rig, 0).Where(t => t.State != ValidationState.Closed).Select(t => (int)t.Finder));
+    }
+
+    // North of it are the lanes of one vehicle, south of it those of the other.
+    [Theory]
+    [InlineData(0, true)]
+    [InlineData(1000, false)]
+    public void Target_LanesAreLeft_IsValidatedAfterThemUnlessTheDetourIsAllowed(double maxDetourMetres, bool isAfter)
+    {
+        using GroupRig rig = Open(2, targets: 0, maxDetourMetres: maxDetourMetres);
+        foreach ((MissionRig vehicle, int i) in rig.Rigs.Select((r, i) => (r, i)))
+        {
+            vehicle.Vehicle.Targets.Add((75, -20 * i, DefaultTargetClasses.Red));
+            vehicle.Vehicle.Targets.Add((345, -20 * i, DefaultTargetClasses.Blue));
+        }
+
+        Assert.True(rig.RunUntil(() => Validating(rig).Any(), 900), rig.Story);
+        double coverage = rig.Rigs.Max(r => r.Status.Coverage);
+        Assert.True(isAfter ? coverage > 0.9 : coverage < 0.8, $"{coverage} {rig.Story}");
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.Equal(2, Validated(rig).Count(t => t.Result == ValidationResult.Confirmed));
+    }
+
+    [Fact]
+    public void Target_BesideALaneOfAnother_IsConfirmedInPassing()
+    {
+        using GroupRig rig = Open(2, targets: 0, maxDetourMetres: 0);
+        Assert.True(rig.RunUntil(() => rig.Rigs.All(r => r.Status.Phase == MissionPhase.Searching), 200), rig.Story);
+        PlaceBesideTheBorder(rig);
+        Assert.True(rig.RunToEnd(), rig.Story);
+        ValidationTask task = Assert.Single(Validated(rig));
+        Assert.Equal(ValidationResult.Confirmed, task.Result);
+        Assert.Contains("confirmed in passing", rig.Story);
+        Assert.DoesNotContain("Searching -> Revisiting", rig.Story);
+    }
+
+    // In the first lane of the northern share, which the higher vehicle sees from its own.
+    private static void PlaceBesideTheBorder(GroupRig rig)
+    {
+        int northern = rig.ShareOf(0).First == 0 ? 1 : 0;
+        double north = 60 + (30 * rig.ShareOf(northern).First) + 2;
+        for (int i = 0; i < 2; i++)
+            rig.Rigs[i].Vehicle.Targets.Add((north, -20 * i, DefaultTargetClasses.Red));
     }
 
     private static ImmutableArray<ValidationTask> Tasks(GroupRig rig, int vehicle)
@@ -120,9 +162,11 @@ public sealed class GroupValidationTests
     }
 
     // The homes are 20 m apart.
-    private static GroupRig Open(int vehicles, int seed = 1, int targets = 1)
+    private static GroupRig Open(int vehicles, int seed = 1, int targets = 1, double maxDetourMetres = 150)
     {
-        var rig = new GroupRig(vehicles, MissionRig.Mission(area: Field), seed);
+        var rig = new GroupRig(
+            vehicles, MissionRig.Mission(area: Field), seed,
+            (_, options) => options.Group!.MaxValidationDetourMetres = maxDetourMetres);
         for (int i = 0; i < vehicles * targets; i++)
         {
             (int vehicle, int target) = (i % vehicles, i / vehicles);

@@ -37,6 +37,46 @@ public sealed class LaneDividerTests
     }
 
     [Fact]
+    public void Divide_OneSeesTheLanesBesideItsOwn_HasMoreLanes()
+    {
+        ImmutableArray<LaneShare> shares = Divide(14, Member(1), Member(2) with { LanesPerPass = 2 });
+        Assert.Equal([5, 9], shares.Select(s => s.Count));
+        AssertComplete(shares, 14);
+    }
+
+    // It climbs and sinks for as long as two lanes take.
+    [Fact]
+    public void Divide_OneFliesHigher_HasFewerLanes()
+    {
+        ImmutableArray<LaneShare> shares = Divide(12, Member(1), Member(2) with { HeightSeconds = 116 });
+        Assert.Equal([7, 5], shares.Select(s => s.Count));
+    }
+
+    [Fact]
+    public void Divide_WayHomeCounts_WhoLandsFarAwayHasFewerLanes()
+    {
+        ImmutableArray<LaneShare> shares = Divide(
+            12, Member(1) with { Landing = default(PlanePoint) },
+            Member(2) with { Landing = new PlanePoint(-1200, 360) });
+        Assert.True(shares[1].Count < shares[0].Count, Text(shares));
+        AssertComplete(shares, 12);
+    }
+
+    // On the middle of its lane, of which half is left: it goes on there, and has no way to an end of it.
+    [Fact]
+    public void Divide_OneIsOnALane_GoesOnFromThere()
+    {
+        double[] left = [150, .. Enumerable.Repeat(300.0, 5)];
+        ImmutableArray<LaneShare> shares = LaneDivider.Divide(
+            Lanes(6), left,
+            [
+                Member(1) with { Position = new PlanePoint(150, 0) },
+                Member(2) with { Position = new PlanePoint(0, 150) },
+            ]);
+        Assert.Equal(new LaneShare(1, 0, 3), shares[0]);
+    }
+
+    [Fact]
     public void Divide_LittleEnergy_HasWhatItCanFly()
     {
         ImmutableArray<LaneShare> shares = Divide(12, Member(1) with { Seconds = 200 }, Member(2));

@@ -105,8 +105,8 @@ internal sealed class ValidationNetwork : LossyNetwork<ValidationNetwork.Node>
             Bidder.Update(Now);
             if (_job is { } job && !Bidder.IsOurs(job))
                 (_job, _since) = (null, null);
-            if (_job is null && Bidder.Next is { } next)
-                (_job, _since) = (next, _network.Seconds);
+            if (_job is null && Bidder.Jobs.Any())
+                (_job, _since) = (Bidder.Jobs.First(), _network.Seconds);
             if (_job is not { } done || _network.Seconds - _since < _network.JobSeconds)
                 return;
             Bidder.Finish(done, _network.Shown, Now);
