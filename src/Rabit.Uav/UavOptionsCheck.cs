@@ -130,11 +130,8 @@ internal static class UavOptionsCheck
     // What is wrong with the values by themselves is reported with them.
     public static string? FindGapBetweenLanes(MissionPlan mission, UavOptions options)
     {
-        ImageProcessingOptions imaging = ManagerOptions.ForImageProcessing(options);
-        if (!IsViewKnown(mission, options, imaging))
+        if (WidthOf(mission, options) is not { } width)
             return null;
-        double width = PictureSwath.WidthMetres(
-            imaging.Camera!, imaging.Mount!, mission.CameraPitch, mission.CameraYaw, mission.HeightMetres);
         return mission.LaneSpacingMetres <= width
             ? null
             : $"laneSpacingMetres of the mission is {MissionNumbers.Of(mission.LaneSpacingMetres)}, wider than the "
@@ -147,12 +144,16 @@ internal static class UavOptionsCheck
     /// mission with faults says nothing of it.
     /// </summary>
     public static double? SwathOf(MissionPlan mission, UavOptions options)
+        => mission.CameraPitch.Degrees > MaxDownPitchDegrees ? null : WidthOf(mission, options);
+
+    // How wide the ground is across the lanes that a picture shows.
+    private static double? WidthOf(MissionPlan mission, UavOptions options)
     {
         ImageProcessingOptions imaging = ManagerOptions.ForImageProcessing(options);
-        if (mission.CameraPitch.Degrees > MaxDownPitchDegrees || !IsViewKnown(mission, options, imaging))
-            return null;
-        return PictureSwath.WidthMetres(
-            imaging.Camera!, imaging.Mount!, mission.CameraPitch, mission.CameraYaw, mission.HeightMetres);
+        return IsViewKnown(mission, options, imaging)
+            ? PictureSwath.WidthMetres(
+                imaging.Camera!, imaging.Mount!, mission.CameraPitch, mission.CameraYaw, mission.HeightMetres)
+            : null;
     }
 
     /// <summary>

@@ -27,7 +27,7 @@ internal static class RunningManager
 
     /// <summary>From now on this manager, or none, runs on this thread.</summary>
     /// <returns>The one that ran before it.</returns>
-    internal static EndpointOwner? Replace(EndpointOwner? owner)
+    public static EndpointOwner? Replace(EndpointOwner? owner)
     {
         EndpointOwner? outer = _current;
         _current = owner;

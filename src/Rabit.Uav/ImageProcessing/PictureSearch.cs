@@ -112,7 +112,11 @@ internal sealed class PictureSearch : IGroundScaleSource
             return notSeen;
         Quality = _judge.Judge(frame, View);
         if (Quality != PictureQuality.Usable)
+        {
+            IsByTilt = Quality == PictureQuality.TooCoarse && IsFineWhenLevel(pose, command);
             return PictureQualityText.RefusalOf(Quality);
+        }
+
         Quality = PictureQuality.NotSearched;
         if (Detect(frame, classes) is { } refusal)
             return refusal;

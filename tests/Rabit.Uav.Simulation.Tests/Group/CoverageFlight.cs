@@ -233,22 +233,21 @@ internal sealed class CoverageFlight : IDisposable
 
     private int Mark(in CameraObservation picture)
     {
-        (double North, double East)[] corners = new[]
-            {
-                picture.TopLeft, picture.TopRight, picture.BottomRight, picture.BottomLeft,
-            }
-            .Select(c => _frame.ToNed(c)).Select(n => (n.North, n.East)).ToArray();
+        var ground = new GroundPolygon(
+            new[] { picture.TopLeft, picture.TopRight, picture.BottomRight, picture.BottomLeft }
+                .Select(c => _frame.ToNed(c)).Select(n => (n.North, n.East)).ToArray(),
+            nameof(picture));
         int before = _seen;
-        int firstRow = Cell(corners.Min(c => c.North), _rows);
-        int lastRow = Cell(corners.Max(c => c.North), _rows);
-        int firstColumn = Cell(corners.Min(c => c.East), _columns);
-        int lastColumn = Cell(corners.Max(c => c.East), _columns);
+        int firstRow = Cell(ground.South, _rows);
+        int lastRow = Cell(ground.North, _rows);
+        int firstColumn = Cell(ground.West, _columns);
+        int lastColumn = Cell(ground.East, _columns);
         for (int row = firstRow; row <= lastRow; row++)
         {
             for (int column = firstColumn; column <= lastColumn; column++)
             {
                 int cell = (row * _columns) + column;
-                if (_isSeen[cell] || !Contains(corners, (row + 0.5) * CellMetres, (column + 0.5) * CellMetres))
+                if (_isSeen[cell] || !ground.Contains((row + 0.5) * CellMetres, (column + 0.5) * CellMetres))
                     continue;
                 _isSeen[cell] = true;
                 _seen++;
@@ -260,19 +259,6 @@ internal sealed class CoverageFlight : IDisposable
 
     private static int Cell(double metres, int count)
         => Math.Max(0, Math.Min(count - 1, (int)Math.Floor(metres / CellMetres)));
-
-    private static bool Contains((double North, double East)[] corners, double north, double east)
-    {
-        int left = 0;
-        for (int i = 0; i < corners.Length; i++)
-        {
-            (double an, double ae) = corners[i];
-            (double bn, double be) = corners[(i + 1) % corners.Length];
-            left += ((bn - an) * (east - ae)) - ((be - ae) * (north - an)) > 0 ? 1 : 0;
-        }
-
-        return left == 0 || left == corners.Length;
-    }
 
     /// <summary>What a vehicle did for a while.</summary>
     internal readonly record struct Activity(string What, double From, double To, string At);

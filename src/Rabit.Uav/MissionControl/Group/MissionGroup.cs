@@ -280,16 +280,21 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
 
     private static ImmutableArray<LaneShare> Divide(
         MissionFlight flight, SharedLanes lanes, IReadOnlyList<(byte SystemId, GroupReport Report)> members)
-        => LaneDivider.Divide(lanes.Lanes, lanes.MetresLeft, members.Select(m => MemberOf(flight, m)).ToArray());
+    {
+        double seen = SeenToEachSide(flight) / flight.Mission.HeightMetres;
+        return LaneDivider.Divide(
+            lanes.Lanes, lanes.MetresLeft, members.Select(m => MemberOf(flight, m, seen)).ToArray());
+    }
 
     // The others have cameras as ours: what they see differs by their heights.
-    private static LaneDivider.Member MemberOf(MissionFlight flight, (byte SystemId, GroupReport Report) member)
+    private static LaneDivider.Member MemberOf(
+        MissionFlight flight, (byte SystemId, GroupReport Report) member, double seenToEachSidePerHeight)
     {
         GroupReport report = member.Report;
         PlanePoint landing = PlaceOf(flight, report.LandingPlace);
         double height = report.SearchAltitudeAmslMetres - report.LandingPlace.AltitudeAmslMetres;
         double climb = Math.Max(0, report.SearchAltitudeAmslMetres - report.Position.AltitudeAmslMetres);
-        double seen = SeenToEachSide(flight) * height / flight.Mission.HeightMetres;
+        double seen = seenToEachSidePerHeight * height;
         return new LaneDivider.Member(
             member.SystemId, PlaceOf(flight, report.Position), report.SpeedMetresPerSecond,
             report.SearchTime.TotalSeconds, landing, (climb / ClimbMetresPerSecond) + (height / SinkMetresPerSecond),
