@@ -1,4 +1,5 @@
 using System;
+using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using System.Threading;
@@ -18,6 +19,12 @@ internal sealed class TestTimeout
 
     private static readonly TimeSpan OnAnIdleMachine = TimeSpan.FromSeconds(20);
     private static readonly TimeSpan Turn = TimeSpan.FromMilliseconds(20);
+
+    // The load changes slowly, and some tests ask millions of times.
+    private static readonly TimeSpan ReadAgainAfter = TimeSpan.FromMilliseconds(500);
+    private static readonly Stopwatch Clock = Stopwatch.StartNew();
+    private static Reading _latest = new(default, ReadShares());   // replaced whole
+
     private readonly ManualResetEventSlim _never = new();
     private int _turns;
 
@@ -38,8 +45,17 @@ internal sealed class TestTimeout
 
     private bool TakeTurn() => ++_turns < MaxTurns * Shares();
 
-    // Who wants to run, on average and just now, for each processor; 1 where the system does not say.
     private static double Shares()
+    {
+        Reading reading = Volatile.Read(ref _latest);
+        TimeSpan now = Clock.Elapsed;
+        if (now - reading.Time > ReadAgainAfter)
+            Volatile.Write(ref _latest, reading = new Reading(now, ReadShares()));
+        return reading.Shares;
+    }
+
+    // Who wants to run, on average and just now, for each processor; 1 where the system does not say.
+    private static double ReadShares()
     {
         const string Load = "/proc/loadavg";   // "0.20 0.18 0.12 1/80 11206"
         if (!File.Exists(Load))
@@ -48,5 +64,12 @@ internal sealed class TestTimeout
         double average = double.Parse(words[0], CultureInfo.InvariantCulture);
         double running = double.Parse(words[3], CultureInfo.InvariantCulture);
         return Math.Min(Math.Max(1, Math.Max(average, running) / Environment.ProcessorCount), MaxShares);
+    }
+
+    private sealed class Reading(TimeSpan time, double shares)
+    {
+        public TimeSpan Time => time;
+
+        public double Shares => shares;
     }
 }
