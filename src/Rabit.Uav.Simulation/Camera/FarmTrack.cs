@@ -24,12 +24,18 @@ internal readonly struct FarmTrack
         _phase = 2 * Math.PI * random.NextUnit();
     }
 
-    /// <summary>How bare the ground is there, 0 to 1; metres within one period.</summary>
-    public double BareAt(double north, double east)
+    /// <summary>How far east the middle of the track is; metres within one period.</summary>
+    public double LineAt(double north)
     {
         double turn = 2 * Math.PI * north / _period;
-        double line = _middle + (_swing * Math.Sin(turn + _phase))
-            + (0.3 * _swing * Math.Sin((3 * turn) + (2 * _phase)));
+        return _middle + (_swing * Math.Sin(turn + _phase)) + (0.3 * _swing * Math.Sin((3 * turn) + (2 * _phase)));
+    }
+
+    /// <summary>How bare the ground is, 0 to 1; metres within one period.</summary>
+    /// <param name="line">The middle of the track there.</param>
+    /// <param name="east">The place.</param>
+    public double BareAt(double line, double east)
+    {
         double off = east - line;
         off -= _period * Math.Floor((off / _period) + 0.5);
         double fromRut = Math.Abs(Math.Abs(off) - HalfGauge);

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 #if NET
 using System.Runtime.Intrinsics.X86;
 #endif
@@ -65,13 +66,15 @@ internal sealed partial class GroundPainter(LensRays lens, GroundTexture texture
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private uint GroundAt(in GroundView view, double down, double x, double y)
     {
         double along = view.Height / down;
         double north = view.North + (along * ((x * view.Right.First) + (y * view.Below.First) + view.Axis.First));
         double east = view.East + (along * ((x * view.Right.Second) + (y * view.Below.Second) + view.Axis.Second));
-        double grain = Math.Min(view.GrainPerDown * down, GroundTexture.AllGrain);
-        uint colour = texture.ColourAt(north, east, (int)grain);
+        double grain = view.GrainPerDown * down;
+        uint colour = texture.ColourAt(
+            north, east, grain < GroundTexture.AllGrain ? (int)grain : GroundTexture.AllGrain);
         return along > HazeFrom
             ? Mix(colour, Haze, (along - HazeFrom) / (MaxGroundDistance - HazeFrom))
             : colour;

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace Rabit.Uav.Simulation;
 
@@ -50,6 +51,7 @@ internal sealed partial class GroundTexture
     /// <param name="grain">
     /// How much of the finest grain a pixel still resolves, 0 to <see cref="AllGrain"/>.
     /// </param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]   // Mono inlines little by itself
     public uint ColourAt(double north, double east, int grain)
     {
         int n = (int)((north * IndexPerMetre) + IndexOffset);
@@ -63,6 +65,7 @@ internal sealed partial class GroundTexture
             | Light((uint)colour & 0xFF, light);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static uint Light(uint channel, int light)
     {
         int value = ((int)channel * light) >> 8;
@@ -70,6 +73,7 @@ internal sealed partial class GroundTexture
     }
 
     // Between four neighbours, weights in 1/256.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private ulong CoarseAt(int n, int e)
     {
         ulong[] tile = _coarse;
@@ -82,9 +86,11 @@ internal sealed partial class GroundTexture
     }
 
     // a * (256 - part) + b * part: a channel that is below zero on the way borrows from the next, and gives it back.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static ulong Blend(ulong a, ulong b, uint part)
         => unchecked(((a << 8) + ((b - a) * part)) >> 8) & Channels;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private int FineAt(int n, int e)
     {
         uint four = _fine[(((n >> 8) & Mask) << SizeBits) | ((e >> 8) & Mask)];
@@ -95,6 +101,7 @@ internal sealed partial class GroundTexture
     }
 
     // 256 times what is between.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int Blend(int a, int b, int part) => (a << 8) + ((b - a) * part);
 
     private void FillCoarse(ref SeededSequence random)
@@ -105,13 +112,13 @@ internal sealed partial class GroundTexture
         var track = new FarmTrack(Period, ref random);
         for (int row = 0; row < Size; row++)
         {
+            double line = track.LineAt(row / (double)CoarsePerMetre);
             for (int column = 0; column < Size; column++)
             {
                 int at = (row << SizeBits) | column;
                 double dry = Smooth(0.38, 0.68, dryness[at]);
                 double bare = Smooth(0.60, 0.78, soil[at]);
-                bare = Math.Max(
-                    bare, 0.85 * track.BareAt(row / (double)CoarsePerMetre, column / (double)CoarsePerMetre));
+                bare = Math.Max(bare, 0.85 * track.BareAt(line, column / (double)CoarsePerMetre));
                 double gain = 0.72 + (0.56 * light[at]);
                 _coarse[(row * CoarseStride) + column] = ((ulong)Mix(84, 128, 132, dry, bare, gain) << 32)
                     | ((ulong)Mix(104, 124, 114, dry, bare, gain) << 16)

@@ -34,19 +34,27 @@ internal static class ValueNoise
             corners[at] = weight * random.NextUnit();
 
         int step = size / cells;
+        double[] parts = new double[step];
+        for (int at = 0; at < step; at++)
+            parts[at] = Ease(at / (double)step);
         for (int row = 0; row < size; row++)
         {
             int upper = row / step * cells;
             int lower = ((row / step) + 1) % cells * cells;
-            double partDown = Ease((row % step) / (double)step);
-            for (int column = 0; column < size; column++)
+            double partDown = parts[row % step];
+            int at = row * size;
+            for (int left = 0; left < cells; left++)
             {
-                int left = column / step;
-                int right = (left + 1) % cells;
-                double part = Ease((column % step) / (double)step);
-                double top = corners[upper + left] + ((corners[upper + right] - corners[upper + left]) * part);
-                double bottom = corners[lower + left] + ((corners[lower + right] - corners[lower + left]) * part);
-                values[(row * size) + column] += top + ((bottom - top) * partDown);
+                int right = left + 1 == cells ? 0 : left + 1;
+                (double upperLeft, double lowerLeft) = (corners[upper + left], corners[lower + left]);
+                double upperMore = corners[upper + right] - upperLeft;
+                double lowerMore = corners[lower + right] - lowerLeft;
+                foreach (double part in parts)
+                {
+                    double top = upperLeft + (upperMore * part);
+                    double bottom = lowerLeft + (lowerMore * part);
+                    values[at++] += top + ((bottom - top) * partDown);
+                }
             }
         }
     }
