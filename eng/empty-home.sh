@@ -20,9 +20,7 @@ chmod 700 "$XDG_RUNTIME_DIR"
 need_packages() {
     if [ "${1:-}" = --pack ] || ! [ -e "$packages/Rabit.Templates.$version.nupkg" ]; then
         rm -rf "$packages"
-        sed -nE 's/^([A-Za-z][^ ]*).*/\1/p' eng/packages.txt | while read -r id; do
-            dotnet pack "src/$id" -c Release -v quiet -o "$packages" -p:RunAnalyzers=false
-        done
+        dotnet pack Rabit.sln -c Release -v quiet -o "$packages" -p:RunAnalyzers=false
     fi
 }
 

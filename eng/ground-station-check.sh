@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # docs/ground-stations.md against node-mavlink, an independent library: UavConsole flies "rabit simulate", two processes with UDP between them,
 # and a station of node-mavlink lists and sets the parameters of component 191, commands it and uploads a fence to it. Two more, at once, connect to
-# UavConsole as to a vehicle and do with the autopilot what stock ground stations do. Needs node and npm; where they are missing, or npm cannot
-# fetch the package, it says so and nothing is checked.
+# UavConsole as to a vehicle and do with the autopilot what stock ground stations do. Needs a build of Rabit.sln, node and npm; where these two
+# are missing, or npm cannot fetch the package, it says so and nothing is checked.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -24,9 +24,6 @@ if ! loads; then
         exit 0
     fi
 fi
-
-dotnet build -v quiet samples/UavConsole
-dotnet build -v quiet src/Rabit.Tool
 
 work=$(mktemp -d)
 vehicle="" console=""

@@ -13,10 +13,10 @@ work=$PWD/artifacts/pack-check
 copy=
 trap '[ -z "$copy" ] || rm -rf "$copy"' EXIT
 
+# All at once: one by one, each looks at all that it refers to again. The analyzers have judged the sources already,
+# in the build of Rabit.sln.
 pack() {
-    for id in "${ids[@]}"; do
-        dotnet pack "$1/src/$id" -c Release -v quiet -o "$2" "${@:3}"
-    done
+    dotnet pack "$1/Rabit.sln" -c Release -v quiet -o "$2" -p:RunAnalyzers=false
 }
 
 echo "--- the list of packages"
@@ -31,10 +31,10 @@ echo "--- look inside"
 if [ "${1:-}" = --quick ]; then
     dotnet run eng/inspect-packages.cs -- "$packages"
 else
-    # The same sources, changes that are not committed included, in another place. The analyzers have judged them already.
+    # The same sources, changes that are not committed included, in another place.
     copy=$(mktemp -d)
     git ls-files --cached --others --exclude-standard -z | xargs -0 ls -d 2> /dev/null | tar -cf - -T - .git | tar -xf - -C "$copy"
-    pack "$copy" "$copy/packages" -p:RunAnalyzers=false
+    pack "$copy" "$copy/packages"
     dotnet run eng/inspect-packages.cs -- "$packages" "$copy/packages"
 fi
 
@@ -104,10 +104,22 @@ sed -nE 's#^.*/eng/pack-check/analyzers/([^/]*: (error|warning) RABIT[0-9]*).*$#
 diff -u eng/pack-check/analyzers/expected.txt "$work/analyzers.txt"
 
 echo "--- compile the programs of their readmes"
+rm -rf "$work/readme"
 mkdir -p "$work/readme"
+rules=$PWD/eng/pack-check
+echo "<Project><Import Project='$rules/Directory.Build.props' /></Project>" > "$work/readme/Directory.Build.props"
+cp "$rules"/{Directory.Build.targets,Directory.Packages.props} "$work/readme"
+sed "s#\.\./\.\./artifacts/packages#$packages#" "$rules/nuget.config" > "$work/readme/nuget.config"
 for id in "${libraries[@]}"; do
     awk '/^```/ { if (inside) exit } inside { print } /^```csharp$/ { inside = 1 }' "src/$id/README.md" > "$work/readme/$id.cs"
-    RabitPackage=$id dotnet build eng/pack-check/readme -v quiet
+    echo "<Project><PropertyGroup><RabitPackage>$id</RabitPackage></PropertyGroup><Import Project='$rules/readme/Readme.csproj' /></Project>" \
+        > "$work/readme/Readme.$id.csproj"
+    echo "<Project Path='Readme.$id.csproj' />"
+done | sed '1i <Solution>
+$a </Solution>' > "$work/readme/all.slnx"
+dotnet build "$work/readme/all.slnx" -v quiet
+for id in "${libraries[@]}"; do
+    ls "$work/bin/Readme.$id/debug/Readme.$id.dll"
 done
 
 echo "The packages work on .NET and Mono."
