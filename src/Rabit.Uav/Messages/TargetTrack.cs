@@ -28,7 +28,7 @@ public sealed class TargetTrack
     /// <summary>Where it is estimated to be at <see cref="Time"/>.</summary>
     public GeodeticPosition Position { get; init; }
 
-    /// <summary>Velocity over ground, metres per second; down is 0.</summary>
+    /// <summary>Velocity over ground, metres per second; down is 0. Zeros for a target that stands.</summary>
     public NedVector VelocityNed { get; init; }
 
     /// <summary>How uncertain the position is: the sum of the filter's and the systematic part.</summary>

@@ -7,17 +7,21 @@ namespace Rabit.Uav.SensorFusion;
 /// <summary>A track of the tracker, mutable.</summary>
 internal sealed class FusedTrack
 {
+    // About as long as a target stays in the pictures of one lane.
+    private static readonly TimeSpan MaxPass = TimeSpan.FromSeconds(10);
+
+    private PositionFilter _filter;
     private double _sizeSum;
     private int _sizes;
     private BestReports _best;
     private BearingMean _bearing;
 
-    public FusedTrack(int id, in LocatedReport report, SensorFusionOptions options)
+    public FusedTrack(int id, in LocatedReport report)
     {
         Id = id;
         Class = report.Report.Class;
-        Filter = PlanarFilter.From(report.North, report.East, report.Report.Covariance, options.StartVelocitySigma);
-        Time = report.Report.Time;
+        _filter = new PositionFilter(report.North, report.East, report.Report.Covariance);
+        LastSeen = report.Report.Time;
         FirstSeen = report.Report.Time;
         Systematic = report.Report.SystematicCovariance;
         Describe(report);
@@ -35,14 +39,12 @@ internal sealed class FusedTrack
     /// <summary>What the operator said about it, which the state follows.</summary>
     public TargetDecision Decision { get; private set; }
 
-    public PlanarFilter Filter { get; private set; }
-
-    /// <summary>The time of the filter: that of its newest report.</summary>
-    public TimeSpan Time { get; private set; }
+    /// <summary>Where it is, by its reports; how far all of them are off together is not in it.</summary>
+    public PositionFilter Filter => _filter;
 
     public TimeSpan FirstSeen { get; private set; }
 
-    public TimeSpan LastSeen => Time;
+    public TimeSpan LastSeen { get; private set; }
 
     public int Reports { get; private set; }
 
@@ -59,8 +61,8 @@ internal sealed class FusedTrack
     /// <summary>Altitude of the ground it stands on, as the newest report says.</summary>
     public double Down { get; private set; }
 
-    /// <summary>The vehicle that reported it last.</summary>
-    public byte LastSource { get; private set; }
+    /// <summary>The vehicle that all reports are of; null when several have reported it.</summary>
+    public byte? OnlySource { get; private set; }
 
     /// <summary>The last observation that reported it, as the tracker counts them.</summary>
     public long LastObservation { get; set; }
@@ -73,7 +75,7 @@ internal sealed class FusedTrack
     public int BestReportIndex => _best.ReportIndex;
 
     /// <summary>How uncertain it is: random and systematic part.</summary>
-    public HorizontalCovariance Covariance => Filter.PositionCovariance + Systematic;
+    public HorizontalCovariance Covariance => _filter.Covariance + Systematic;
 
     /// <summary>
     /// Whether what has this class and marker may be the same target: an id that was not read excludes none.
@@ -81,25 +83,12 @@ internal sealed class FusedTrack
     public bool MayBe(TargetClassName targetClass, int? markerId)
         => targetClass == Class && (markerId is null || MarkerId is null || markerId == MarkerId);
 
-    /// <summary>The filter at a time; at its own time if that is later.</summary>
-    public PlanarFilter FilterAt(TimeSpan time, double processNoise)
+    /// <summary>Updates it by a report, in whatever order they come.</summary>
+    public void Update(in LocatedReport report)
     {
-        PlanarFilter filter = Filter;
-        double seconds = (time - Time).TotalSeconds;
-        if (seconds > 0)
-            filter.Predict(seconds, processNoise);
-        return filter;
-    }
-
-    /// <summary>Updates it by a report; one that is older than the newest counts for its own time.</summary>
-    public void Update(in LocatedReport report, double processNoise)
-    {
-        double seconds = (report.Report.Time - Time).TotalSeconds;
-        PlanarFilter filter = FilterAt(report.Report.Time, processNoise);
-        filter.Update(report.North, report.East, report.Report.Covariance, Math.Max(0, -seconds));
-        Filter = filter;
-        if (seconds > 0)
-            Time = report.Report.Time;
+        _filter.Update(report.North, report.East, report.Report.Covariance);
+        if (report.Report.Time > LastSeen)
+            LastSeen = report.Report.Time;
         Systematic = Larger(Systematic, report.Report.SystematicCovariance);
         Describe(report);
     }
@@ -107,16 +96,14 @@ internal sealed class FusedTrack
     /// <summary>
     /// Merges another track of the same target into it. Each report is in one of the two, so that they are independent.
     /// </summary>
-    public void Absorb(FusedTrack other, double processNoise)
+    public void Absorb(FusedTrack other)
     {
-        TimeSpan time = other.Time > Time ? other.Time : Time;
-        PlanarFilter filter = FilterAt(time, processNoise);
-        PlanarFilter otherFilter = other.FilterAt(time, processNoise);
-        filter.Update(otherFilter.North, otherFilter.East, otherFilter.PositionCovariance, 0);
-        Filter = filter;
-        Time = time;
+        _filter.Update(other._filter.North, other._filter.East, other._filter.Covariance);
+        LastSeen = other.LastSeen > LastSeen ? other.LastSeen : LastSeen;
         Systematic = Larger(Systematic, other.Systematic);
         MarkerId ??= other.MarkerId;
+        if (OnlySource != other.OnlySource)
+            OnlySource = null;
         FirstSeen = other.FirstSeen < FirstSeen ? other.FirstSeen : FirstSeen;
         Reports += other.Reports;
         _sizeSum += other._sizeSum;
@@ -143,10 +130,9 @@ internal sealed class FusedTrack
         Decision = Decision,
         Class = Class,
         MarkerId = MarkerId,
-        Position = frame.ToGeodetic(new NedPosition(Filter.North, Filter.East, Down)),
-        VelocityNed = new NedVector(Filter.NorthRate, Filter.EastRate, 0),
+        Position = frame.ToGeodetic(new NedPosition(_filter.North, _filter.East, Down)),
         Covariance = Covariance,
-        Time = Time,
+        Time = LastSeen,
         FirstSeen = FirstSeen,
         LastSeen = LastSeen,
         Reports = Reports,
@@ -159,18 +145,31 @@ internal sealed class FusedTrack
     };
 
     /// <summary>
-    /// The covariance of the difference of two tracks by systematic errors: those of one vehicle are partly the same in
-    /// both, those of two are independent.
+    /// The covariance of the difference to a report by systematic errors. They are common to what a vehicle reports in
+    /// one pass. From one pass to the next a mount points the other way, and two vehicles have nothing in common.
     /// </summary>
-    public static HorizontalCovariance SystematicOf(FusedTrack a, FusedTrack b)
-        => a.LastSource == b.LastSource ? Larger(a.Systematic, b.Systematic) : a.Systematic + b.Systematic;
+    public HorizontalCovariance SystematicTo(in TargetReport report)
+        => IsOnePass(report.SourceSystemId, report.Time, report.Time)
+            ? report.SystematicCovariance
+            : Systematic + report.SystematicCovariance;
+
+    /// <summary>The same for two tracks.</summary>
+    public HorizontalCovariance SystematicTo(FusedTrack other)
+        => IsOnePass(other.OnlySource, other.FirstSeen, other.LastSeen)
+            ? Larger(Systematic, other.Systematic)
+            : Systematic + other.Systematic;
+
+    private bool IsOnePass(byte? source, TimeSpan first, TimeSpan last)
+        => source is not null && source == OnlySource
+            && (last > LastSeen ? last : LastSeen) - (first < FirstSeen ? first : FirstSeen) <= MaxPass;
 
     private void Describe(in LocatedReport report)
     {
         Reports++;
+        byte source = report.Report.SourceSystemId;
+        OnlySource = Reports == 1 || OnlySource == source ? source : null;
         MarkerId ??= report.Report.MarkerId;
         Down = report.Down;
-        LastSource = report.Report.SourceSystemId;
         _sizeSum += report.Report.SizeMetres;
         _sizes++;
         _bearing.Add(report.Report.Bearing);

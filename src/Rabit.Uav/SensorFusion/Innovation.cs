@@ -34,7 +34,4 @@ internal readonly struct Innovation(double north, double east, HorizontalCovaria
             return Math.Exp(-0.5 * DistanceSquared) / (2 * Math.PI * Math.Sqrt(determinant));
         }
     }
-
-    /// <summary>The same difference with a further independent uncertainty.</summary>
-    public Innovation Wider(HorizontalCovariance by) => new(North, East, Covariance + by);
 }

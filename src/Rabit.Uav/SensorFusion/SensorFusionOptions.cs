@@ -9,22 +9,6 @@ namespace Rabit.Uav.SensorFusion;
 /// <summary>How Sensor Fusion makes tracks of reports. Read once, when the manager is made.</summary>
 public sealed class SensorFusionOptions
 {
-    /// <summary>Intensity of the white acceleration by which a target may change its velocity, m2/s3.</summary>
-    /// <value>
-    /// The default is 1e-7, for targets that stand: an hour unseen would add 4 cm/s. For walkers 0.05 to 0.1, for cars
-    /// 0.5 to 1.
-    /// </value>
-    public double ProcessNoise { get; set; } = 1e-7;
-
-    /// <summary>
-    /// Standard deviation of the velocity with which a track starts, per axis, metres per second; the mean is 0.
-    /// </summary>
-    /// <value>
-    /// The default is 0.01, for targets that stand. A larger one makes a track that was not seen for minutes so wide
-    /// that it takes the reports of its neighbours; for things that move 0.5 to 3.
-    /// </value>
-    public double StartVelocitySigma { get; set; } = 0.01;
-
     /// <summary>The largest squared Mahalanobis distance at which a report can belong to a track.</summary>
     /// <value>The default is 9.21: chi-square with two degrees of freedom, 99 %.</value>
     public double Gate { get; set; } = 9.21;
@@ -69,8 +53,8 @@ public sealed class SensorFusionOptions
     public TimeSpan LateWindow { get; set; } = TimeSpan.FromSeconds(10);
 
     /// <summary>
-    /// How the targets of each class move; a class that is not there stands. <see cref="ProcessNoise"/>,
-    /// <see cref="Gate"/> and what follows them are for those that stand.
+    /// How the targets of each class move; a class that is not there stands. <see cref="Gate"/> and
+    /// what follows it are for those that stand.
     /// </summary>
     /// <value>The default is empty. What the mission says is added (<c>targetMotions</c> of its file).</value>
     public ImmutableDictionary<TargetClassName, TargetMotion> TargetMotions { get; set; }
@@ -127,12 +111,6 @@ public sealed class SensorFusionOptions
 
     internal IEnumerable<string> FindFaults()
     {
-        if (!(ProcessNoise >= 0 && ProcessNoise <= 1000))
-            yield return FormattableString.Invariant(
-                $"{nameof(ProcessNoise)} is {ProcessNoise}; it must be 0 to 1000 m2/s3");
-        if (!(StartVelocitySigma > 0 && StartVelocitySigma <= 100))
-            yield return FormattableString.Invariant(
-                $"{nameof(StartVelocitySigma)} is {StartVelocitySigma}; it must be above 0 and at most 100 m/s");
         if (!(Gate > 0 && Gate <= 100))
             yield return FormattableString.Invariant($"{nameof(Gate)} is {Gate}; it must be above 0 and at most 100");
         if (ConfirmOutOf is < 1 or > DetectionHistory.Capacity)

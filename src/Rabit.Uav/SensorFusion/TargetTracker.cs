@@ -69,7 +69,7 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
         }
 
         for (int i = 0; i < before; i++)
-            isChanged |= CountMiss(_tracks[i], time, footprint);
+            isChanged |= CountMiss(_tracks[i], footprint);
         return isChanged | DeleteTentative(time) | Merge(updated);
     }
 
@@ -91,26 +91,19 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
         _assignment.Solve();
     }
 
-    // Systematic errors of one vehicle do not cancel between two headings, and those of two vehicles not at all.
-    private Innovation Compare(FusedTrack track, in LocatedReport report)
-    {
-        TargetReport measured = report.Report;
-        double lag = Math.Max(0, (track.Time - measured.Time).TotalSeconds);
-        Innovation innovation = track.FilterAt(measured.Time, options.ProcessNoise)
-            .Expect(report.North, report.East, measured.Covariance, lag)
-            .Wider(measured.SystematicCovariance);
-        return track.LastSource == measured.SourceSystemId ? innovation : innovation.Wider(track.Systematic);
-    }
+    private static Innovation Compare(FusedTrack track, in LocatedReport report)
+        => track.Filter.Expect(
+            report.North, report.East, report.Report.Covariance + track.SystematicTo(report.Report));
 
     private FusedTrack? Update(FusedTrack track, in LocatedReport report)
     {
-        if (track.Time - report.Report.Time > options.LateWindow)
+        if (track.LastSeen - report.Report.Time > options.LateWindow)
         {
             statistics.ReportsLate++;
             return null;
         }
 
-        track.Update(report, options.ProcessNoise);
+        track.Update(report);
         track.History.Add(isHit: true);
         track.MissesInARow = 0;
         track.LastObservation = _observationCount;
@@ -133,7 +126,7 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
             return null;
         }
 
-        var track = new FusedTrack(nextId(), report, options) { LastObservation = _observationCount };
+        var track = new FusedTrack(nextId(), report) { LastObservation = _observationCount };
         track.History.Add(isHit: true);
         _tracks.Add(track);
         statistics.TracksStarted++;
@@ -151,14 +144,13 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
         HasConfirmed = true;
     }
 
-    private bool CountMiss(FusedTrack track, TimeSpan time, in Footprint footprint)
+    private bool CountMiss(FusedTrack track, in Footprint footprint)
     {
         if (track.LastObservation == _observationCount || !footprint.IsKnown)
             return false;
-        PlanarFilter there = track.FilterAt(time, options.ProcessNoise);
-        HorizontalCovariance total = there.PositionCovariance + track.Systematic;
+        HorizontalCovariance total = track.Covariance;
         double margin = options.FootprintMarginMetres + (2 * Math.Sqrt(Math.Max(total.NorthNorth, total.EastEast)));
-        if (!footprint.Contains(there.North, there.East, margin))
+        if (!footprint.Contains(track.Filter.North, track.Filter.East, margin))
             return false;
         track.Misses++;
         track.MissesInARow++;
@@ -193,7 +185,7 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
 
     private bool Merge(List<FusedTrack?> updated)
     {
-        int merged = _merger.Merge(_tracks, _observationCount, options.ProcessNoise, updated);
+        int merged = _merger.Merge(_tracks, _observationCount, updated);
         statistics.TracksMerged += merged;
         return merged > 0;
     }

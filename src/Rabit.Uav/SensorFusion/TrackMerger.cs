@@ -22,18 +22,18 @@ internal sealed class TrackMerger
 
     /// <summary>Merges what is to be merged: into the confirmed one, else the older one.</summary>
     /// <returns>How many tracks are no more.</returns>
-    public int Merge(List<FusedTrack> tracks, long observation, double processNoise, List<FusedTrack?> updated)
+    public int Merge(List<FusedTrack> tracks, long observation, List<FusedTrack?> updated)
     {
         int merged = 0;
         for (int i = 0; i < tracks.Count; i++)
         {
             for (int j = i + 1; j < tracks.Count; j++)
             {
-                if (!AreOne(tracks[i], tracks[j], observation, processNoise))
+                if (!AreOne(tracks[i], tracks[j], observation))
                     continue;
                 merged++;
                 bool takesSecond = tracks[i].State == TrackState.Tentative && tracks[j].State != TrackState.Tentative;
-                Join(tracks, takesSecond ? j : i, takesSecond ? i : j, processNoise, updated);
+                Join(tracks, takesSecond ? j : i, takesSecond ? i : j, updated);
                 if (takesSecond)
                 {
                     i--;
@@ -61,10 +61,10 @@ internal sealed class TrackMerger
             _together.Remove(pair);
     }
 
-    private void Join(List<FusedTrack> tracks, int stays, int goes, double processNoise, List<FusedTrack?> updated)
+    private void Join(List<FusedTrack> tracks, int stays, int goes, List<FusedTrack?> updated)
     {
         (FusedTrack kept, FusedTrack gone) = (tracks[stays], tracks[goes]);
-        kept.Absorb(gone, processNoise);
+        kept.Absorb(gone);
         for (int i = 0; i < updated.Count; i++)
         {
             if (ReferenceEquals(updated[i], gone))
@@ -75,14 +75,12 @@ internal sealed class TrackMerger
         Forget(gone.Id);
     }
 
-    private bool AreOne(FusedTrack a, FusedTrack b, long observation, double processNoise)
+    private bool AreOne(FusedTrack a, FusedTrack b, long observation)
     {
         if (!a.MayBe(b.Class, b.MarkerId))
             return false;
-        TimeSpan time = a.Time > b.Time ? a.Time : b.Time;
-        PlanarFilter fa = a.FilterAt(time, processNoise);
-        PlanarFilter fb = b.FilterAt(time, processNoise);
-        HorizontalCovariance total = fa.PositionCovariance + fb.PositionCovariance + FusedTrack.SystematicOf(a, b);
+        (PositionFilter fa, PositionFilter fb) = (a.Filter, b.Filter);
+        HorizontalCovariance total = fa.Covariance + fb.Covariance + a.SystematicTo(b);
         if (total.MahalanobisSquared(fa.North - fb.North, fa.East - fb.East) > MergeGate)
             return false;
 

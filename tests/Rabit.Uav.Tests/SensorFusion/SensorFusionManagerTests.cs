@@ -134,6 +134,59 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
     }
 
     [Fact]
+    public void Report_NextPassOnTheOppositeHeading_IsOfTheSameTarget()
+    {
+        using var rig = new FusionRig();
+        for (int i = 0; i < 8; i++)
+            rig.Observe(0, 0, Report(0, 0, common: 1.5));
+        rig.Run(30);
+        rig.Observe(0, 0, Report(5.2, 0, common: 1.5));
+        Assert.Equal(9, rig.Only.Reports);
+
+        using var samePass = new FusionRig();
+        for (int i = 0; i < 8; i++)
+            samePass.Observe(0, 0, Report(0, 0, common: 1.5));
+        samePass.Observe(0, 0, Report(5.2, 0, common: 1.5));
+        Assert.Equal(2, samePass.Tracks.Count);
+    }
+
+    [Fact]
+    public void Report_OfAVehicleThatSawItAfterAnother_IsOfTheSameTarget()
+    {
+        using var rig = new FusionRig();
+        for (int i = 0; i < 8; i++)
+            rig.Observe(0, 0, Report(0, 0, common: 1.5));
+        foreach ((int number, double north) in new[] { (1, 2.0), (2, 5.2) })
+        {
+            rig.Push(Report(north, 0, common: 1.5) with
+            {
+                SourceSystemId = 2, PictureNumber = number, Time = rig.Now,
+            });
+            rig.Run(1);
+        }
+
+        Assert.Equal(10, rig.Only.Reports);
+    }
+
+    [Fact]
+    public void Track_ErrorOfTheMountTurnsWithTheHeading_StaysWhereItIs()
+    {
+        using var rig = new FusionRig();
+        foreach (double mount in new[] { 1.5, -1.5 })
+        {
+            for (int i = 0; i < 8; i++)
+                rig.Observe(0, 0, Report(mount, 0, common: 1.5));
+            rig.Run(20);
+        }
+
+        Assert.Equal(0, rig.Only.VelocityNed.HorizontalLength);
+        rig.Run(220);
+        rig.Observe(0, 0, Report(0, 0, common: 1.5));
+        Assert.Equal(17, rig.Only.Reports);
+        Assert.Equal(0, PlaceOf(rig.Only).North, 0.01);
+    }
+
+    [Fact]
     public void Report_TwoTargetsSideBySide_AreNotExchangedNorMerged()
     {
         using var rig = new FusionRig();
@@ -272,11 +325,11 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
     {
         ArgumentException e = Assert.Throws<ArgumentException>(() => new SensorFusionManager(new SensorFusionOptions
         {
-            ProcessNoise = double.NaN,
+            Gate = double.NaN,
             ConfirmHits = 6,
             MaxTracks = 0,
         }));
-        Assert.Contains("ProcessNoise is NaN", e.Message, StringComparison.Ordinal);
+        Assert.Contains("Gate is NaN", e.Message, StringComparison.Ordinal);
         Assert.Contains("ConfirmHits is 6", e.Message, StringComparison.Ordinal);
         Assert.Contains("MaxTracks is 0", e.Message, StringComparison.Ordinal);
     }
