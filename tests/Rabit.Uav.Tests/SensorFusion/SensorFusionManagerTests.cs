@@ -160,7 +160,9 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
         {
             rig.Push(Report(north, 0, common: 1.5) with
             {
-                SourceSystemId = 2, PictureNumber = number, Time = rig.Now,
+                SourceSystemId = 2,
+                PictureNumber = number,
+                Time = rig.Now,
             });
             rig.Run(1);
         }
