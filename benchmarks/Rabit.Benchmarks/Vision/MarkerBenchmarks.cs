@@ -6,8 +6,8 @@ using Rabit.Vision;
 namespace Rabit.Benchmarks.Vision;
 
 /// <summary>
-/// Finding the markers of both families in one picture of 640 x 480 and one of 1640 x 1232; <c>eng/marker-speed.sh</c>
-/// measures OpenCV's detector on more of them in the same run.
+/// Finding the markers of both families in one picture of 640 x 480 and one of 1640 x 1232; <c>eng/vision-speed.sh</c>
+/// measures OpenCV's detector on more of them in turn.
 /// </summary>
 [MemoryDiagnoser]
 public class MarkerBenchmarks

@@ -21,14 +21,17 @@ internal struct MeanColour
         Count++;
     }
 
-    public readonly double SquareTo(byte[] pixels, int at)
+    /// <summary>How far a pixel is from it, squared; the length of it is found beforehand.</summary>
+    public readonly double SquareTo(byte[] pixels, int at, double length)
     {
         (double red, double green, double blue) =
             (pixels[at] - Red, pixels[at + 1] - Green, pixels[at + 2] - Blue);
-        double along = ((red * Red) + (green * Green) + (blue * Blue))
-            / Math.Sqrt((Red * Red) + (Green * Green) + (Blue * Blue) + 1);
+        double along = ((red * Red) + (green * Green) + (blue * Blue)) / length;
         return (red * red) + (green * green) + (blue * blue) - (ShadeInvariance * along * along);
     }
+
+    /// <summary>Its length, never 0.</summary>
+    public readonly double Length() => Math.Sqrt((Red * Red) + (Green * Green) + (Blue * Blue) + 1);
 
     public readonly MeanColour Mean()
     {

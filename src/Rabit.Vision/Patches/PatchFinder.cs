@@ -48,20 +48,16 @@ public sealed class PatchFinder
         return _runs.TryFind(pixels, width, height, table, light) && TryCollect();
     }
 
-    /// <summary>Writes a mark for each pixel of a patch into a map.</summary>
-    internal void Draw(in Patch patch, byte[] map, int left, int top, int stride, byte mark)
+    /// <summary>Sets the bit of each pixel of a patch in a grid that begins at a column and row.</summary>
+    internal void Draw(in Patch patch, BitGrid grid, int left, int top)
     {
         for (int row = patch.Top; row <= patch.Bottom; row++)
         {
             int end = _runs.StartOf(row + 1);
             for (int i = _runs.FirstOf(row, patch.Left); i < end && _runs[i].Left <= patch.Right; i++)
             {
-                if (!IsOf(i, patch))
-                    continue;
-                ref PatchRun run = ref _runs[i];
-                int at = ((row - top) * stride) - left;
-                for (int column = run.Left; column <= run.Right; column++)
-                    map[at + column] = mark;
+                if (IsOf(i, patch))
+                    grid.Set(row - top, _runs[i].Left - left, _runs[i].Right - left);
             }
         }
     }

@@ -3,22 +3,32 @@ using System;
 namespace Rabit.Vision;
 
 /// <summary>
-/// The box around a patch with a margin: for each pixel how far it is from the patch (<see cref="PatchDistances"/>).
-/// Its edge may reach a little beyond it, and after that comes the ground around it.
+/// The box around a patch with a margin: which pixels are its own, or lie between such, which may be covered in part,
+/// and which are the ground around it. A step to a neighbour at a corner is one step too.
 /// </summary>
 internal sealed class PatchMap
 {
-    /// <summary>Up to that distance a pixel may be covered in part.</summary>
-    public const byte EdgeReach = 2;
+    // Up to that distance a pixel may be covered in part, and up to that one it is the ground around.
+    private const int EdgeReach = 2;
+    private const int GroundReach = 4;
 
-    /// <summary>Up to that distance it is the ground around.</summary>
-    public const byte GroundReach = 4;
-
+    private readonly BitGrid _all = new();
+    private readonly BitGrid _nearInRow = new();
+    private readonly BitGrid _farInRow = new();
     private int _width;
     private int _height;
 
-    /// <summary>Distances, row by row.</summary>
-    public byte[] Cells { get; private set; } = [];
+    /// <summary>The pixels of the patch.</summary>
+    public BitGrid Own { get; } = new();
+
+    /// <summary>What lies between them, as the windows of a car (<see cref="PatchGaps"/>).</summary>
+    public BitGrid Closed { get; } = new();
+
+    /// <summary>Both, and what of the picture is so near that a part of it may be covered.</summary>
+    public BitGrid Edge { get; } = new();
+
+    /// <summary>What of the picture comes after that.</summary>
+    public BitGrid Ground { get; } = new();
 
     /// <summary>The column of the picture of the first column.</summary>
     public int Left { get; private set; }
@@ -43,29 +53,27 @@ internal sealed class PatchMap
 
         (Left, Top) = (left - GroundReach, top - GroundReach);
         (Columns, Rows) = (right + GroundReach + 1 - Left, bottom + GroundReach + 1 - Top);
-        if (Cells.Length < Columns * Rows)
-            Cells = new byte[Columns * Rows];
-        for (int at = 0; at < Columns * Rows; at++)
-            Cells[at] = PatchDistances.Far;
+        Own.Clear(Columns, Rows);
         foreach (ref readonly Patch part in parts)
-            finder.Draw(part, Cells, Left, Top, Columns, mark: 0);
-        PatchDistances.Close(Cells, Columns, Rows, GroundReach);
-        PatchDistances.Grow(Cells, Columns, Rows);
-        LeaveOutside();
+            finder.Draw(part, Own, Left, Top);
+        Closed.Clear(Columns, Rows);
+        Reach(PatchGaps.TryClose(Own, Closed, Columns, GroundReach) ? Union() : Own);
+        LeaveOutside(right, bottom);
     }
 
-    /// <summary>Whether a pixel of the patch has only such beside it.</summary>
-    public bool IsInner(int at)
-        => (Cells[at - 1] | Cells[at + 1] | Cells[at - Columns] | Cells[at + Columns]) == 0;
+    /// <summary>Those of its pixels that have only such beside, above and below.</summary>
+    public ulong InnerOf(int row, int word)
+        => Own[row, word] & Own.Beside(row, word, -1) & Own.Beside(row, word, 1)
+            & Own[row - 1, word] & Own[row + 1, word];
 
     /// <summary>
-    /// Whether an inner one is so far from the edge that the blur of the lens, and of the colour in a JPEG, does not
-    /// reach it.
+    /// Those of the inner ones that are so far from the edge that the blur of the lens, and of the colour in a JPEG,
+    /// does not reach them.
     /// </summary>
-    public bool IsCore(int at)
-        => (Cells[at - 2] | Cells[at + 2] | Cells[at - (2 * Columns)] | Cells[at + (2 * Columns)]
-            | Cells[at - Columns - 1] | Cells[at - Columns + 1] | Cells[at + Columns - 1] | Cells[at + Columns + 1])
-            == 0;
+    public ulong CoreOf(int row, int word, ulong inner)
+        => inner & Own.Beside(row, word, -2) & Own.Beside(row, word, 2) & Own[row - 2, word] & Own[row + 2, word]
+            & Own.Beside(row - 1, word, -1) & Own.Beside(row - 1, word, 1)
+            & Own.Beside(row + 1, word, -1) & Own.Beside(row + 1, word, 1);
 
     /// <summary>Where the pixel of a cell begins in the picture.</summary>
     public int PixelAt(int column, int row) => (((row + Top) * _width) + column + Left) * 3;
@@ -74,16 +82,68 @@ internal sealed class PatchMap
     public bool IsAtBorder(int column, int row)
         => column + Left == 0 || row + Top == 0 || column + Left == _width - 1 || row + Top == _height - 1;
 
-    private void LeaveOutside()
+    private BitGrid Union()
     {
+        _all.Clear(Columns, Rows);
         for (int row = 0; row < Rows; row++)
         {
-            bool isOutside = row + Top < 0 || row + Top >= _height;
-            for (int column = 0; column < Columns; column++)
+            for (int word = 0; word < _all.Words; word++)
+                _all[row, word] = Own[row, word] | Closed[row, word];
+        }
+
+        return _all;
+    }
+
+    // What is so near in a column and in a row is so near at a corner too.
+    private void Reach(BitGrid all)
+    {
+        ReachInRows(all);
+        Edge.Clear(Columns, Rows);
+        Ground.Clear(Columns, Rows);
+        for (int row = 0; row < Rows; row++)
+        {
+            for (int word = 0; word < Edge.Words; word++)
             {
-                if (isOutside || column + Left < 0 || column + Left >= _width)
-                    Cells[(row * Columns) + column] = PatchDistances.Far;
+                ulong near = Within(_nearInRow, row, word, EdgeReach);
+                Edge[row, word] = near;
+                Ground[row, word] = Within(_farInRow, row, word, GroundReach) & ~near;
             }
         }
+    }
+
+    private void ReachInRows(BitGrid all)
+    {
+        _nearInRow.Clear(Columns, Rows);
+        _farInRow.Clear(Columns, Rows);
+        for (int row = GroundReach; row < Rows - GroundReach; row++)
+        {
+            for (int word = 0; word < all.Words; word++)
+            {
+                _nearInRow[row, word] = all[row, word] | all.Beside(row, word, 1) | all.Beside(row, word, -1)
+                    | all.Beside(row, word, EdgeReach) | all.Beside(row, word, -EdgeReach);
+            }
+
+            for (int word = 0; word < all.Words; word++)
+            {
+                _farInRow[row, word] = _nearInRow[row, word]
+                    | _nearInRow.Beside(row, word, EdgeReach) | _nearInRow.Beside(row, word, -EdgeReach);
+            }
+        }
+    }
+
+    private static ulong Within(BitGrid grid, int row, int word, int reach)
+    {
+        ulong bits = 0;
+        for (int other = Math.Max(0, row - reach); other <= Math.Min(grid.Rows - 1, row + reach); other++)
+            bits |= grid[other, word];
+        return bits;
+    }
+
+    private void LeaveOutside(int right, int bottom)
+    {
+        if (Left >= 0 && Top >= 0 && right + GroundReach < _width && bottom + GroundReach < _height)
+            return;
+        Edge.KeepWithin(-Left, -Top, _width - 1 - Left, _height - 1 - Top);
+        Ground.KeepWithin(-Left, -Top, _width - 1 - Left, _height - 1 - Top);
     }
 }

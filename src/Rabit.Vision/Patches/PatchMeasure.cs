@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 
 namespace Rabit.Vision;
 
@@ -17,6 +18,7 @@ public sealed class PatchMeasure
     private const double MinCoverage = 0.15;
 
     private readonly PatchMap _map = new();
+    private readonly BitGrid _half = new();   // what is covered by half and more
     private readonly PatchSamples _samples;
     private float[] _coverage = [];
     private byte[] _pixels = [];
@@ -59,8 +61,8 @@ public sealed class PatchMeasure
         if (_finder is null || parts.IsEmpty)
             return false;
         _map.Draw(parts, _finder);
-        if (_coverage.Length < _map.Cells.Length)
-            _coverage = new float[_map.Cells.Length];
+        if (_coverage.Length < _map.Columns * _map.Rows)
+            _coverage = new float[_map.Columns * _map.Rows];
         _ground = _samples.Ground();
         _inside = _samples.Inside(_ground, out MeanColour pure);
         (double red, double green, double blue) =
@@ -100,21 +102,23 @@ public sealed class PatchMeasure
         double offset = (ground.Red * red) + (ground.Green * green) + (ground.Blue * blue);
         for (int row = 0; row < _map.Rows; row++)
         {
-            for (int column = 0; column < _map.Columns; column++)
+            for (int word = 0; word < _map.Edge.Words; word++)
             {
-                int at = (row * _map.Columns) + column;
-                if (_map.Cells[at] == PatchDistances.Closed)
+                (int column, ulong closed) = (64 * word, _map.Closed[row, word]);
+                ulong bits = (_map.Edge[row, word] | _map.Ground[row, word]) & ~closed;
+                for (; bits != 0; bits &= bits - 1)
                 {
-                    _map.Cells[at] = 1;
-                    _coverage[at] = ClosedCoverage;
-                    continue;
+                    int pixel = _map.PixelAt(column + BitOperations.TrailingZeroCount(bits), row);
+                    _coverage[(row * _map.Columns) + column + BitOperations.TrailingZeroCount(bits)] =
+                        (float)Math.Min(1.9, (_pixels[pixel] * red) + (_pixels[pixel + 1] * green)
+                            + (_pixels[pixel + 2] * blue) - offset);
                 }
 
-                if (_map.Cells[at] > PatchMap.GroundReach)
-                    continue;
-                int pixel = _map.PixelAt(column, row);
-                _coverage[at] = (float)Math.Min(1.9, (_pixels[pixel] * red) + (_pixels[pixel + 1] * green)
-                    + (_pixels[pixel + 2] * blue) - offset);
+                for (; closed != 0; closed &= closed - 1)
+                {
+                    _coverage[(row * _map.Columns) + column + BitOperations.TrailingZeroCount(closed)] =
+                        ClosedCoverage;
+                }
             }
         }
     }
@@ -124,26 +128,31 @@ public sealed class PatchMeasure
         (double sum, double sumX, double sumY, double sumXX, double sumXY, double sumYY) = (0, 0, 0, 0, 0, 0);
         (int left, int right, int top, int bottom) = (int.MaxValue, -1, int.MaxValue, -1);
         shape.CutLength = 0;
+        _half.Clear(_map.Columns, _map.Rows);
         for (int row = 0; row < _map.Rows; row++)
         {
-            for (int column = 0; column < _map.Columns; column++)
+            for (int word = 0; word < _map.Edge.Words; word++)
             {
-                int at = (row * _map.Columns) + column;
-                if (_map.Cells[at] > PatchMap.EdgeReach || _coverage[at] < MinCoverage)
-                    continue;
-                double part = Math.Min(1, _coverage[at]);
-                sum += part;
-                sumX += part * column;
-                sumY += part * row;
-                sumXX += part * column * column;
-                sumXY += part * column * row;
-                sumYY += part * row * row;
-                if (part < 0.5)
-                    continue;
-                if (_map.IsAtBorder(column, row))
-                    shape.CutLength++;
-                (left, right) = (Math.Min(left, column), Math.Max(right, column));
-                (top, bottom) = (Math.Min(top, row), Math.Max(bottom, row));
+                for (ulong bits = _map.Edge[row, word]; bits != 0; bits &= bits - 1)
+                {
+                    int column = (64 * word) + BitOperations.TrailingZeroCount(bits);
+                    double part = Math.Min(1, _coverage[(row * _map.Columns) + column]);
+                    if (part < MinCoverage)
+                        continue;
+                    sum += part;
+                    sumX += part * column;
+                    sumY += part * row;
+                    sumXX += part * column * column;
+                    sumXY += part * column * row;
+                    sumYY += part * row * row;
+                    if (part < 0.5)
+                        continue;
+                    _half[row, word] |= bits & (~bits + 1);
+                    if (_map.IsAtBorder(column, row))
+                        shape.CutLength++;
+                    (left, right) = (Math.Min(left, column), Math.Max(right, column));
+                    (top, bottom) = (Math.Min(top, row), Math.Max(bottom, row));
+                }
             }
         }
 
@@ -163,57 +172,62 @@ public sealed class PatchMeasure
     // What goes on beyond the edge, how ragged it is, how even inside, and how even the ground is.
     private bool Judge(ref PatchShape shape, in MeanColour inside)
     {
-        (int like, int around, int steps, int own) = (0, 0, 0, 0);
-        (double noise, double uneven) = (0, 0);
+        JudgeGround(ref shape);
+        (int steps, int own, double uneven, double length) = (0, 0, 0, inside.Length());
         for (int row = 0; row < _map.Rows; row++)
         {
-            for (int column = 0; column < _map.Columns; column++)
+            for (int word = 0; word < _map.Edge.Words; word++)
             {
-                int at = (row * _map.Columns) + column;
-                if (_map.Cells[at] > PatchMap.GroundReach)
-                    continue;
-                double part = _coverage[at];
-                if (_map.Cells[at] > PatchMap.EdgeReach)
+                steps += StepsAt(row, word);
+                for (ulong bits = _half[row, word]; bits != 0; bits &= bits - 1)
                 {
-                    around++;
-                    if (part > 0.5)
-                        like++;
-                    double off = Math.Min(1, Math.Abs(part));
-                    noise += off * off;
-                    continue;
+                    int column = (64 * word) + BitOperations.TrailingZeroCount(bits);
+                    double part = _coverage[(row * _map.Columns) + column];
+                    if (part < 0.8 || part == ClosedCoverage)
+                        continue;
+                    own++;
+                    uneven += inside.SquareTo(_pixels, _map.PixelAt(column, row), length);
                 }
-
-                steps += part < 0.5 ? 0 : StepsAt(at, column, row);
-                if (part < 0.8)
-                    continue;
-                if (part == ClosedCoverage)
-                    continue;
-                own++;
-                uneven += inside.SquareTo(_pixels, _map.PixelAt(column, row));
             }
         }
 
-        shape.Continuation = around == 0 ? 0 : (double)like / around;
-        shape.GroundNoise = around == 0 ? 0 : Math.Sqrt(noise / around);
         shape.Outline = steps / (2 * (shape.Width + shape.Height));
         shape.Unevenness = own == 0 ? 0 : Math.Sqrt(uneven / own) / shape.Contrast;
         return own > 0;
     }
 
-    // Sides of a pixel of the patch with one beyond that is none.
-    private int StepsAt(int at, int column, int row)
+    private void JudgeGround(ref PatchShape shape)
     {
-        int steps = 0;
-        if (column == 0 || IsBeyond(at - 1))
-            steps++;
-        if (column == _map.Columns - 1 || IsBeyond(at + 1))
-            steps++;
-        if (row == 0 || IsBeyond(at - _map.Columns))
-            steps++;
-        if (row == _map.Rows - 1 || IsBeyond(at + _map.Columns))
-            steps++;
-        return steps;
+        (int like, int around, double noise) = (0, 0, 0);
+        for (int row = 0; row < _map.Rows; row++)
+        {
+            for (int word = 0; word < _map.Ground.Words; word++)
+            {
+                for (ulong bits = _map.Ground[row, word]; bits != 0; bits &= bits - 1)
+                {
+                    int column = (64 * word) + BitOperations.TrailingZeroCount(bits);
+                    double part = _coverage[(row * _map.Columns) + column];
+                    around++;
+                    if (part > 0.5)
+                        like++;
+                    double off = Math.Min(1, Math.Abs(part));
+                    noise += off * off;
+                }
+            }
+        }
+
+        shape.Continuation = around == 0 ? 0 : (double)like / around;
+        shape.GroundNoise = around == 0 ? 0 : Math.Sqrt(noise / around);
     }
 
-    private bool IsBeyond(int at) => _map.Cells[at] > PatchMap.EdgeReach || _coverage[at] < 0.5;
+    // Sides of pixels of the patch with one beyond that is none. The outermost rows of the map have no pixel of it.
+    private int StepsAt(int row, int word)
+    {
+        ulong half = _half[row, word];
+        return half == 0 ? 0
+            : BitOperations.PopCount(half & ~_half.Beside(row, word, 1))
+            + BitOperations.PopCount(half & ~_half.Beside(row, word, -1))
+            + BitOperations.PopCount(half & ~_half[row - 1, word])
+            + BitOperations.PopCount(half & ~_half[row + 1, word]);
+    }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 
 namespace Rabit.Vision;
 
@@ -22,21 +23,7 @@ internal sealed class PatchSamples(PatchMap map)
         Array.Clear(_red, 0, 256);
         Array.Clear(_green, 0, 256);
         Array.Clear(_blue, 0, 256);
-        int count = 0;
-        for (int row = 0; row < _map.Rows; row++)
-        {
-            for (int column = 0; column < _map.Columns; column++)
-            {
-                if (_map.Cells[(row * _map.Columns) + column] is not (> PatchMap.EdgeReach and <= PatchMap.GroundReach))
-                    continue;
-                int at = _map.PixelAt(column, row);
-                _red[_pixels[at]]++;
-                _green[_pixels[at + 1]]++;
-                _blue[_pixels[at + 2]]++;
-                count++;
-            }
-        }
-
+        int count = CountGround();
         return new MeanColour { Red = Median(_red, count), Green = Median(_green, count), Blue = Median(_blue, count) };
     }
 
@@ -51,20 +38,18 @@ internal sealed class PatchSamples(PatchMap map)
         MeanColour core = default;
         MeanColour inner = default;
         MeanColour all = default;
-        for (int row = 1; row < _map.Rows - 1; row++)
+        for (int row = 2; row < _map.Rows - 2; row++)
         {
-            for (int column = 1; column < _map.Columns - 1; column++)
+            for (int word = 0; word < _map.Own.Words; word++)
             {
-                int at = (row * _map.Columns) + column;
-                if (_map.Cells[at] != 0)
+                ulong own = _map.Own[row, word];
+                if (own == 0)
                     continue;
-                int pixel = _map.PixelAt(column, row);
-                all.Add(_pixels, pixel);
-                if (!_map.IsInner(at))
-                    continue;
-                inner.Add(_pixels, pixel);
-                if (_map.IsCore(at))
-                    core.Add(_pixels, pixel);
+                int first = _map.PixelAt(64 * word, row);
+                ulong innerBits = _map.InnerOf(row, word);
+                Add(first, own, ref all);
+                Add(first, innerBits, ref inner);
+                Add(first, _map.CoreOf(row, word, innerBits), ref core);
             }
         }
 
@@ -84,6 +69,39 @@ internal sealed class PatchSamples(PatchMap map)
         return pure;
     }
 
+    private unsafe int CountGround()
+    {
+        int count = 0;
+        fixed (byte* pixels = _pixels)
+        fixed (int* red = _red, green = _green, blue = _blue)
+        {
+            for (int row = 0; row < _map.Rows; row++)
+            {
+                for (int word = 0; word < _map.Ground.Words; word++)
+                {
+                    ulong bits = _map.Ground[row, word];
+                    count += BitOperations.PopCount(bits);
+                    int first = _map.PixelAt(64 * word, row);
+                    for (; bits != 0; bits &= bits - 1)
+                    {
+                        byte* p = pixels + first + (3 * BitOperations.TrailingZeroCount(bits));
+                        red[p[0]]++;
+                        green[p[1]]++;
+                        blue[p[2]]++;
+                    }
+                }
+            }
+        }
+
+        return count;
+    }
+
+    private void Add(int first, ulong bits, ref MeanColour sum)
+    {
+        for (; bits != 0; bits &= bits - 1)
+            sum.Add(_pixels, first + (3 * BitOperations.TrailingZeroCount(bits)));
+    }
+
     private double Strongest(
         in MeanColour ground, double red, double green, double blue, double from, out MeanColour mean)
     {
@@ -91,16 +109,18 @@ internal sealed class PatchSamples(PatchMap map)
         mean = default;
         for (int row = 0; row < _map.Rows; row++)
         {
-            for (int column = 0; column < _map.Columns; column++)
+            for (int word = 0; word < _map.Own.Words; word++)
             {
-                if (_map.Cells[(row * _map.Columns) + column] != 0)
-                    continue;
-                int at = _map.PixelAt(column, row);
-                double along = ((_pixels[at] - ground.Red) * red) + ((_pixels[at + 1] - ground.Green) * green)
-                    + ((_pixels[at + 2] - ground.Blue) * blue);
-                most = Math.Max(most, along);
-                if (along >= from)
-                    mean.Add(_pixels, at);
+                int first = _map.PixelAt(64 * word, row);
+                for (ulong bits = _map.Own[row, word]; bits != 0; bits &= bits - 1)
+                {
+                    int at = first + (3 * BitOperations.TrailingZeroCount(bits));
+                    double along = ((_pixels[at] - ground.Red) * red) + ((_pixels[at + 1] - ground.Green) * green)
+                        + ((_pixels[at + 2] - ground.Blue) * blue);
+                    most = Math.Max(most, along);
+                    if (along >= from)
+                        mean.Add(_pixels, at);
+                }
             }
         }
 

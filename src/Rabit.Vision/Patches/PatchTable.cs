@@ -42,6 +42,7 @@ public sealed class PatchTable
         Black = FindNeutral(isBright: false);
         for (int index = 0; index < Entries.Length; index++)
             Entries[index] = Classify(Middle(index >> (2 * Bits)), Middle(index >> Bits), Middle(index));
+        Chroma = new ChromaLimits(Entries);
     }
 
     /// <summary>How many colours.</summary>
@@ -49,6 +50,9 @@ public sealed class PatchTable
 
     /// <summary>By red, green, blue from the high bits: 0 for none, else the index of the colour and 1.</summary>
     internal byte[] Entries { get; } = new byte[1 << (3 * Bits)];
+
+    /// <summary>How much colour the entries have at least.</summary>
+    internal ChromaLimits Chroma { get; }
 
     /// <summary>One more than the index of white; 0 if it is not searched for.</summary>
     internal byte White { get; }

@@ -129,20 +129,24 @@ public sealed class PictureLight
         return value;
     }
 
-    private int MeasureTile(byte[] pixels, int across, int down)
+    private unsafe int MeasureTile(byte[] pixels, int across, int down)
     {
         Array.Clear(_tile, 0, 256);
-        int right = (across + 1) * _width / Tiles;
-        for (int row = down * _height / Tiles; row < (down + 1) * _height / Tiles; row += Step)
+        (int left, int right) = (across * _width / Tiles, (across + 1) * _width / Tiles);
+        fixed (byte* begin = pixels)
+        fixed (int* tile = _tile, red = _red, green = _green, blue = _blue, least = _least)
         {
-            for (int column = across * _width / Tiles; column < right; column += Step)
+            for (int row = down * _height / Tiles; row < (down + 1) * _height / Tiles; row += Step)
             {
-                int at = ((row * _width) + column) * 3;
-                _red[pixels[at]]++;
-                _green[pixels[at + 1]]++;
-                _blue[pixels[at + 2]]++;
-                _least[Math.Min(pixels[at], Math.Min(pixels[at + 1], pixels[at + 2]))]++;
-                _tile[(pixels[at] + (2 * pixels[at + 1]) + pixels[at + 2]) / 4]++;
+                byte* end = begin + (((row * _width) + right) * 3);
+                for (byte* p = begin + (((row * _width) + left) * 3); p < end; p += 3 * Step)
+                {
+                    red[p[0]]++;
+                    green[p[1]]++;
+                    blue[p[2]]++;
+                    least[Math.Min(p[0], Math.Min(p[1], p[2]))]++;
+                    tile[(p[0] + (2 * p[1]) + p[2]) / 4]++;
+                }
             }
         }
 

@@ -170,18 +170,18 @@ public sealed class ShapeTargetDetector : ITargetDetector
     private void Consider(ReadOnlySpan<Patch> patches, int first, in PictureGroundScale ground)
     {
         ref readonly Patch patch = ref patches[first];
-        if (!ground.TryAt(
-            (patch.Left + patch.Right) / 2.0, (patch.Top + patch.Bottom) / 2.0, out GroundScale scale))
+        (int width, int height) = (patch.Right - patch.Left + 1, patch.Bottom - patch.Top + 1);
+        if (patch.Pixels < MinBoxShare * width * height
+            || (patch.Pixels > FewPixels && patch.Runs * MinRunLength > patch.Pixels)
+            || !ground.TryAt(
+                (patch.Left + patch.Right) / 2.0, (patch.Top + patch.Bottom) / 2.0, out GroundScale scale))
             return;
         double metres = Math.Sqrt(scale.PixelArea);
         SearchedColour colour = _colours[patch.Colour];
         double side = Math.Sqrt(patch.Pixels) * metres;
-        (int width, int height) = (patch.Right - patch.Left + 1, patch.Bottom - patch.Top + 1);
         if (side < MinSeenSideOf(patch.Colour)
             || side * side > MaxSeenArea * colour.MaxSideMetres * colour.MaxSideMetres
-            || Math.Max(width, height) * metres > MaxSpan * colour.MaxSpanMetres
-            || patch.Pixels < MinBoxShare * width * height
-            || (patch.Pixels > FewPixels && patch.Runs * MinRunLength > patch.Pixels))
+            || Math.Max(width, height) * metres > MaxSpan * colour.MaxSpanMetres)
             return;
         _groups.Take(patch);
         Measure(scale);
