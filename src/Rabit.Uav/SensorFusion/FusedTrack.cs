@@ -62,7 +62,7 @@ internal sealed class FusedTrack
     public double Down { get; private set; }
 
     /// <summary>The vehicle that all reports are of; null when several have reported it.</summary>
-    public byte? OnlySource { get; private set; }
+    private byte? OnlySource { get; set; }
 
     /// <summary>The last observation that reported it, as the tracker counts them.</summary>
     public long LastObservation { get; set; }
