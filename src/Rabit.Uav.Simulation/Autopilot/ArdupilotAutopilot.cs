@@ -66,7 +66,7 @@ internal sealed class ArdupilotAutopilot : IVehicleAutopilot
             () => _address.SystemId, new ArdupilotFiles(_store), (_, frame) => sink.SendNumbered(frame));
         _commands = new CommandHandler(_controller, targets, _streams, _telemetry, mount, sink, Say);
         var commands = new CommandService(
-            () => _address.SystemId, (command, _) => _commands.Execute(command),
+            () => _address.SystemId, (request, _) => _commands.Execute(request.Command),
             (_, answer) => sink.SendNumbered(answer));
         _dispatcher = new FrameDispatcher(
             _controller, commands, _commands, targets, _parameters, _missions, _stations, _streams, _address, sink);

@@ -11,7 +11,7 @@ namespace Rabit.Uav.Simulation;
 /// <param name="execute">Executes a command that came over a link.</param>
 /// <param name="send">Sends a frame over a link.</param>
 internal sealed class CommandService(
-    Func<byte> systemId, Func<MavlinkCommand, int, MavResult> execute, Action<int, MavlinkFrame> send)
+    Func<byte> systemId, Func<MavlinkCommandRequest, int, MavResult> execute, Action<int, MavlinkFrame> send)
 {
     // They keep no record of what they have executed.
     private static readonly MavlinkCommandServerOptions Options = new()
@@ -31,7 +31,7 @@ internal sealed class CommandService(
         MavlinkCommandServer server = _server.Value;
         server.Handle(frame, time);
         while (server.TryTakeRequest(out MavlinkCommandRequest request))
-            server.Complete(request.Handle, execute(request.Command, link), time);
+            server.Complete(request.Handle, execute(request, link), time);
         while (server.TryTakeFrame(time, out MavlinkFrame answer))
             send(link, answer);
     }

@@ -131,8 +131,10 @@ public sealed partial class AutopilotManager
         VehicleEvents events = Complete(frame, _tracker.Update(frame));
         if (report == GimbalUpdate.Refused)
             Count(VehicleEvents.Refused);
-        else if (report == GimbalUpdate.Taken)
-            PushGimbal(_gimbal.Attitude, _tracker.IsFromAutopilot(frame.Frame) ? _gimbal.BootTimeMs : 0, frame.Time);
+        if (report != GimbalUpdate.Taken)
+            return events;
+        _tracker.NoteGimbal(frame.Time);
+        PushGimbal(_gimbal.Attitude, _tracker.IsFromAutopilot(frame.Frame) ? _gimbal.BootTimeMs : 0, frame.Time);
         return events;
     }
 

@@ -33,6 +33,9 @@ internal sealed partial class VehicleTracker(byte? systemId, TimeSpan heartbeatT
 
     public ref readonly VehicleState State => ref _state;
 
+    /// <summary>A gimbal of the vehicle has reported its attitude; posted with the next change.</summary>
+    public void NoteGimbal(TimeSpan time) => _state.GimbalTime = time;
+
     /// <summary>When the newest part of the state was true.</summary>
     public TimeSpan NewestTime { get; private set; }
 

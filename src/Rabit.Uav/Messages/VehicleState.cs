@@ -90,6 +90,9 @@ public struct VehicleState
     /// <summary>Angular velocity in the body frame.</summary>
     public BodyRates Rates { get; set; }
 
+    /// <summary>When a gimbal of the vehicle last reported its attitude; null where none did.</summary>
+    public TimeSpan? GimbalTime { get; set; }
+
     /// <summary>When the battery was measured; null before the first.</summary>
     public TimeSpan? BatteryTime { get; set; }
 

@@ -79,6 +79,19 @@ internal sealed class CommandDispatcher(Func<VehicleCommand, bool> push, Action<
     /// <summary>Whether a command equals the goal; the text of a new one need not be made then.</summary>
     public bool IsGoal(in VehicleCommand command) => _progress != Progress.Nothing && AreSame(_goal, command);
 
+    /// <summary>
+    /// Sends a command beside the goal, which stays the goal: one that moves no vehicle. Not while the goal is to be
+    /// sent or waits for its result, since a newer command would replace it.
+    /// </summary>
+    /// <returns>Its id; null where it was not sent.</returns>
+    public long? SendBeside(VehicleCommand command)
+    {
+        command.Id = _lastId + 1;
+        if (_progress != Progress.Accepted || !push(command))
+            return null;
+        return ++_lastId;
+    }
+
     /// <summary>Drops the goal and renews nothing; what was sent stays sent.</summary>
     public void Clear()
     {
@@ -128,7 +141,7 @@ internal sealed class CommandDispatcher(Func<VehicleCommand, bool> push, Action<
     /// <summary>Applies a result; one of an older command is ignored.</summary>
     public void Apply(in VehicleCommandResult result, TimeSpan now)
     {
-        if (result.Id != _lastId || _progress != Progress.Sent)
+        if (result.Id != _goal.Id || _progress != Progress.Sent)
             return;
         switch (result.Outcome)
         {
@@ -158,7 +171,7 @@ internal sealed class CommandDispatcher(Func<VehicleCommand, bool> push, Action<
         LastFailure = reason;
         _progress = Progress.ToSend;
         _notBefore = now + _retryAfter;
-        log($"command {_lastId} {reason}");
+        log($"command {_goal.Id} {reason}");
     }
 
     // NaN is a value here: it leaves something to the autopilot.

@@ -126,6 +126,10 @@ internal sealed class FlightPlan
     public double HeightAboveGround(PlanePoint at, double heightMetres)
         => Terrain is null ? heightMetres : Terrain.HeightAboveHome(at, heightMetres) - Terrain.GroundMetres(at);
 
+    /// <summary>The height of the ground above home; 0 where it is taken for level, or not known.</summary>
+    public double GroundAboveHome(PlanePoint at)
+        => Terrain?.GroundMetres(at) is { } ground && !double.IsNaN(ground) ? ground : 0;
+
     /// <summary>The height above home that is enough on the whole way between two places.</summary>
     public double HeightAboveHome(PlanePoint from, PlanePoint to, double heightMetres)
         => Terrain?.HeightAboveHome(from, to, heightMetres) ?? heightMetres;

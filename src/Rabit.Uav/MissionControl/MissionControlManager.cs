@@ -157,7 +157,11 @@ public sealed partial class MissionControlManager : RabitManager, IMissionOperat
         if (_preflight?.Fetch() == true)
             flight.Preflight = _preflight.Value;
         while (_results.TryPop(out VehicleCommandResult result))
+        {
             flight.Commands.Apply(result, flight.Now);
+            flight.Camera.Apply(result);
+        }
+
         while (_searchedGround.TryPop(out CameraObservation observation))
         {
             flight.Route?.Mark(observation);

@@ -27,6 +27,7 @@ internal sealed class MissionFlight(
 
     private LocalNedFrame? _startFrame;
     private MissionChanges? _changes;
+    private CameraDirector? _camera;
     private PlanePoint _wayFrom;
     private PlanePoint _wayTo;
 
@@ -36,6 +37,9 @@ internal sealed class MissionFlight(
     public MissionControlOptions Options { get; } = options;
 
     public CommandDispatcher Commands { get; } = commands;
+
+    /// <summary>Where the camera is pointed, beside what the vehicle does.</summary>
+    public CameraDirector Camera => _camera ??= new CameraDirector(this);
 
     public Revisits Revisits { get; } = new();
 

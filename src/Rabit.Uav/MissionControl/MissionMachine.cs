@@ -62,7 +62,11 @@ internal sealed class MissionMachine
 
         // In the tick of a change the goal is still that of the phase before.
         if (_flight.IsConnected)
+        {
             _flight.Commands.Send(_flight.Now);
+            _flight.Camera.Send();
+        }
+
         _flight.Commands.Renew(_flight.Now);
     }
 

@@ -1,12 +1,13 @@
 using System;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
 /// Follows a target that moves: flies to where it is expected, and keeps it in the middle of the picture until it was
-/// in view for <see cref="RevisitPlan.FollowTime"/>. A target that is lost is searched for in a growing area; a track
-/// of its class that begins there goes on as the same target.
+/// in view for <see cref="RevisitPlan.FollowTime"/>. A gimbal is pointed at it meanwhile. A target that is lost is
+/// searched for in a growing area; a track of its class that begins there goes on as the same target.
 /// </summary>
 internal sealed class TargetFollower
 {
@@ -16,9 +17,16 @@ internal sealed class TargetFollower
     // After that a target has turned or stopped as often as not, and the picture shows where it may be around here.
     private const double MaxExtrapolationSeconds = 3;
 
+    // Its place in the picture is less certain with every second; the picture is wider than what to fly to.
+    private const double MaxPointingSeconds = 5;
+
     // A position that is commanded is approached with a lag: about the time constant of a position controller, half
     // the time between two commands and what a command takes.
     private const double LeadSeconds = 1.5;
+
+    // With a gimbal that keeps it in view anyway: also the way in which the autopilot brakes before each position, so
+    // that the vehicle gets over a target at speed. A camera that leans with the vehicle would lose it.
+    private const double GimbalLeadSeconds = 2.5;
 
     // Nearer than this there is no point in another command.
     private const double NewGoalMetres = 1;
@@ -30,12 +38,18 @@ internal sealed class TargetFollower
     private const double SameTargetMetres = 40;
 
     private static readonly TimeSpan CommandPeriod = TimeSpan.FromSeconds(0.8);
+    private static readonly TimeSpan GimbalCommandPeriod = TimeSpan.FromSeconds(0.4);
     private static readonly TimeSpan MaxReportAge = TimeSpan.FromSeconds(2);
 
     // So long it is looked for where it is expected.
     private static readonly TimeSpan SearchAfter = TimeSpan.FromSeconds(5);
 
+    // From when the angles are computed until the gimbal is there: a tick, the command, the turn.
+    private const double PointingSeconds = 0.3;
+
     private readonly TransitPath _transit = new();
+    private readonly GimbalPointing _pointing;
+    private readonly TargetTurn _turn = new();
     private readonly double _heading;
     private readonly double _height;
     private readonly double _classSpeed;
@@ -60,6 +74,7 @@ internal sealed class TargetFollower
         _classSpeed = TargetSpeeds.Of(target.Motion);
         _lastTick = _begun = flight.ActiveTime;
         InView = target.InViewBefore;
+        _pointing = new GimbalPointing(flight.Options.GimbalFrame, flight.Mission.CameraYaw.Radians);
         _goal = flight.Position;
         _transit.Begin(flight, _goal);
         PlanePoint first = GoalFor(flight);
@@ -82,7 +97,12 @@ internal sealed class TargetFollower
         TargetTrack? track = _target.Find(flight, Expected(flight), SameTargetMetres + (_search is null ? 0
             : _search.RadiusMetres(Unseen(flight))));
         if (track is { State: TrackState.Confirmed or TrackState.Lost } && track.Time >= _mark.Time)
+        {
+            FollowMark before = _mark;
             _mark = FollowMark.Of(track, flight);
+            _turn.Update(before, _mark);
+        }
+
         bool isInView = track is { State: TrackState.Confirmed } && flight.Now - track.LastSeen <= MaxReportAge
             && _target.IsSeen(flight);
         if (isInView)
@@ -92,6 +112,7 @@ internal sealed class TargetFollower
         }
 
         Go(flight, isInView);
+        Look(flight, step.TotalSeconds);
         return InView >= flight.Mission.Revisit.FollowTime || track?.State == TrackState.Rejected
             || flight.ActiveTime - (_lastInView ?? (_begun + _wayThere)) > _target.MaxSearch;
     }
@@ -108,10 +129,30 @@ internal sealed class TargetFollower
             : Progress;
         if (isLost)
             Search(flight);
-        else if (flight.ActiveTime - _commanded >= CommandPeriod)
+        else if (flight.ActiveTime - _commanded >= PeriodFor(flight))
             Command(flight, GoalFor(flight));
         else
             Fly(flight);
+    }
+
+    private static TimeSpan PeriodFor(MissionFlight flight)
+        => flight.Camera.IsThere ? GimbalCommandPeriod : CommandPeriod;
+
+    // At where it is expected when the picture is taken. One that is lost is searched for as the mission looks.
+    private void Look(MissionFlight flight, double seconds)
+    {
+        if (!flight.Camera.IsThere || _search is not null)
+            return;
+        TimeSpan then = flight.Now + TimeSpan.FromSeconds(PointingSeconds);
+        PlanePoint target = _mark.PlaceAt(then, MaxPointingSeconds);
+        NedVector velocity = flight.Vehicle.VelocityNed;
+        double ahead = (then - (flight.Vehicle.PositionTime ?? flight.Now)).TotalSeconds;
+        PlanePoint off = target - flight.Position - (ahead * new PlanePoint(velocity.North, velocity.East));
+        double ground = flight.Plan!.GroundAboveHome(target);
+        _pointing.Point(
+            new NedVector(off.North, off.East, flight.HeightMetres - ground),
+            Rotation.FromEuler(flight.Vehicle.Attitude), seconds);
+        flight.Camera.Point(_pointing.PitchRadians, _pointing.YawRadians);
     }
 
     private void Search(MissionFlight flight)
@@ -139,7 +180,12 @@ internal sealed class TargetFollower
 
     // Where the vehicle has to be soon for the target to be in the middle of the picture.
     private PlanePoint GoalFor(MissionFlight flight)
-        => RevisitPass.PlaceToSee(flight, Expected(flight) + (LeadSeconds * _mark.Velocity), _heading);
+    {
+        PlanePoint ahead = flight.Camera.IsThere
+            ? _turn.PlaceAt(_mark, Math.Min(MaxExtrapolationSeconds, Unseen(flight).TotalSeconds) + GimbalLeadSeconds)
+            : Expected(flight) + (LeadSeconds * _mark.Velocity);
+        return RevisitPass.PlaceToSee(flight, ahead, _heading);
+    }
 
     private void Command(MissionFlight flight, PlanePoint goal)
     {

@@ -57,6 +57,31 @@ public class Px4CommandTests
         => Assert.Equal(expected, _flyer.Command(command, 1, 4, -1));
 
     [Fact]
+    public void Gimbal_GivenToTheSender_TurnsAtItsRate()
+    {
+        Assert.Equal(MavResult.Denied, _flyer.Command(MavCmd.DoGimbalManagerPitchyaw, -30, 20));
+        Assert.Equal(MavResult.Accepted, _flyer.Command(MavCmd.DoGimbalManagerConfigure, 1, 191));
+        Assert.Equal(MavResult.Accepted, _flyer.Command(MavCmd.DoGimbalManagerPitchyaw, -30, 20));
+        _flyer.Run(0.5);
+        Assert.InRange(_flyer.Pose.CameraPitch.Degrees, -62, -57);   // 60 degrees a second
+        _flyer.Run(1);
+        Assert.Equal(-30, _flyer.Pose.CameraPitch.Degrees, 3);
+        Assert.Equal(20, _flyer.Pose.CameraYaw.Degrees, 3);
+    }
+
+    [Fact]
+    public void Gimbal_GivenToAnotherAndBack_IsDeniedMeanwhile()
+    {
+        _flyer.Command(MavCmd.DoGimbalManagerConfigure, 1, 191);
+        Assert.Equal(MavResult.Accepted, _flyer.Command(MavCmd.DoGimbalManagerConfigure, 255, 190, link: 1));
+        Assert.Equal(MavResult.Denied, _flyer.Command(MavCmd.DoGimbalManagerPitchyaw, -30, 20));
+        Assert.Equal(MavResult.Accepted, _flyer.Command(MavCmd.DoGimbalManagerConfigure, -3, -3));   // not its own
+        Assert.Equal(MavResult.Accepted, _flyer.Command(MavCmd.DoGimbalManagerPitchyaw, -30, 20, link: 1));
+        _flyer.Command(MavCmd.DoGimbalManagerConfigure, -3, -3, link: 1);
+        Assert.Equal(MavResult.Denied, _flyer.Command(MavCmd.DoGimbalManagerPitchyaw, -30, 20, link: 1));
+    }
+
+    [Fact]
     public void SetMode_Unknown_IsAcceptedWithoutEffect()
     {
         Assert.Equal(MavResult.Accepted, _flyer.Command(MavCmd.DoSetMode, 1, 9, 9));

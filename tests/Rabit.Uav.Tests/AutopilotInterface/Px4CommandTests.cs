@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Rabit.Geodesy;
+using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Messages;
@@ -18,6 +19,22 @@ public class Px4CommandTests
         Assert.Equal([MavCmd.DoSetMode, MavCmd.ComponentArmDisarm], px4.Commands);
         CommandLong mode = OutgoingSink.Decode<CommandLong>(px4.Received[0].Frame);
         Assert.Equal((1f, 4f, 3f), (mode.Param1, mode.Param2, mode.Param3));
+    }
+
+    // PX4 denies it to any other than the one that the gimbal was given to.
+    [Fact]
+    public void PointCamera_Gimbal_IsTakenFirst()
+    {
+        using ScriptedAutopilot px4 = new ScriptedAutopilot(MavAutopilot.Px4).Armed();
+        int before = px4.Received.Count;
+        VehicleCommandResult answer = px4.GiveAndRun(
+            VehicleCommandKind.PointCamera, with: c => c with { CameraPitch = Angle.FromDegrees(-60) });
+        Assert.Equal(VehicleCommandOutcome.Accepted, answer.Outcome);
+        Assert.Equal([MavCmd.DoGimbalManagerConfigure, MavCmd.DoGimbalManagerPitchyaw], px4.Commands.Skip(before));
+        CommandLong given = OutgoingSink.Decode<CommandLong>(px4.Received[before].Frame);
+        MavlinkFrame frame = px4.Received[before].Frame;
+        Assert.Equal((frame.SystemId, frame.ComponentId), ((byte)given.Param1, (byte)given.Param2));
+        Assert.Equal(-60f, px4.Last<CommandLong>().Param1);
     }
 
     [Fact]

@@ -153,7 +153,7 @@ internal sealed partial class StandInVehicle : RabitManager
     {
         while (!Hangs && _commands.TryPop(out VehicleCommand command))
         {
-            if (Commands.Count > 0 && Commands[Commands.Count - 1].Command.Id == command.Id)
+            if (Commands.FindLastIndex(c => c.Command.Id == command.Id) >= 0)
             {
                 Renewals.Add((Now, command));
                 continue;

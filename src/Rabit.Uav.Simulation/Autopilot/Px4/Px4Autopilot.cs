@@ -63,7 +63,7 @@ internal sealed class Px4Autopilot : IVehicleAutopilot
         _stations = new StationService(() => SystemId, new MavlinkMemoryFiles(), sink.SendNumbered);
         (_controller.Mission.Items, _controller.Mission.Places) = (_missions, ReadPlace);
         var handler = new Px4CommandHandler(_controller, setPoints, requests, mount, frame);
-        var commands = new CommandService(() => SystemId, (c, link) => handler.Execute(c, link), sink.SendNumbered);
+        var commands = new CommandService(() => SystemId, (r, link) => handler.Execute(r, link), sink.SendNumbered);
         _dispatcher = new Px4FrameDispatcher(
             _controller, commands, handler, setPoints, _service, _missions, _stations, _events, _links, garbage, sink);
 

@@ -15,13 +15,24 @@ internal sealed class Px4CommandHandler(
     private const float ForceMagic = 21196;
     private const double DegE7 = 1e7;
 
+    // Who may point the gimbal; no one at the start.
+    private MavlinkAddress _gimbalOwner;
+
     /// <summary>Executes a command that came over a link, and says with what result.</summary>
-    public MavResult Execute(in MavlinkCommand received, int link)
+    public MavResult Execute(in MavlinkCommandRequest request, int link)
     {
+        MavlinkCommand received = request.Command;
         // In COMMAND_LONG places are in degrees, heights above sea level.
         bool isLong = received.Forms == MavlinkCommandForms.LongOnly;
         if (received.Command == MavCmd.DoGimbalManagerPitchyaw)
-            return PointCamera(received.Param1, received.Param2, isLong ? received.Param5 : received.X);
+        {
+            return request.Source == _gimbalOwner
+                ? PointCamera(received.Param1, received.Param2, isLong ? received.Param5 : received.X)
+                : MavResult.Denied;
+        }
+
+        if (received.Command == MavCmd.DoGimbalManagerConfigure)
+            return GiveGimbal(received.Param1, received.Param2, request.Source);
         return Execute(
             new CommandInt
             {
@@ -152,6 +163,23 @@ internal sealed class Px4CommandHandler(
             controller.Situation.CommandedSpeed = speed;
         return MavResult.Accepted;
     }
+
+    // Of the special values -1 leaves it as it is, -2 is the autopilot itself, -3 gives it back.
+    private MavResult GiveGimbal(float systemId, float componentId, MavlinkAddress source)
+    {
+        _gimbalOwner = new MavlinkAddress(
+            Owner(systemId, _gimbalOwner.SystemId, source.SystemId),
+            Owner(componentId, _gimbalOwner.ComponentId, source.ComponentId));
+        return MavResult.Accepted;
+    }
+
+    private static byte Owner(float id, byte now, byte source) => Math.Round(id) switch
+    {
+        >= 0 and < 256 => (byte)Math.Round(id),
+        -2 => AutopilotAddress.ComponentId,
+        -3 when now == source => 0,
+        _ => now,
+    };
 
     private MavResult PointCamera(float pitchDegrees, float yawDegrees, float flags)
     {

@@ -40,7 +40,11 @@ internal sealed partial class CommandExecutor
 
         _profile = VehicleProfile.For(vehicle, mayCommandFixedWing, out string? refusal);
         refusal ??= _profile!.Plan(
-            _command, new CommandContext(vehicle, now, _lastSpeed, _stream.IsInOffboard), _steps);
+            _command,
+            new CommandContext(
+                vehicle, now, _lastSpeed, _stream.IsInOffboard,
+                new MavlinkAddress(_sender!.SystemId, _sender.ComponentId)),
+            _steps);
         if (refusal is not null)
         {
             Finish(VehicleCommandOutcome.Refused, refusal, now);

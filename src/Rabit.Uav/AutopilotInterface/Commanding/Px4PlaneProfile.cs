@@ -16,6 +16,8 @@ internal sealed class Px4PlaneProfile() : FixedWingProfile(MavAutopilot.Px4)
 
     public override uint ReturnMode => Px4Modes.Return;
 
+    private protected override bool GivesGimbalsToOne => true;
+
     public override uint? ModeOf(MavType vehicle, string name) => Px4Modes.NumberOf(name);
 
     private protected override (float Mode, float SubMode) ModeParameters(uint mode)

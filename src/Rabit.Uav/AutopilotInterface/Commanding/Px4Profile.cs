@@ -33,6 +33,8 @@ internal sealed class Px4Profile : VehicleProfile
 
     public override uint LandMode => Px4Modes.Land;
 
+    private protected override bool GivesGimbalsToOne => true;
+
     public override bool FollowsByItself(uint mode, in VehicleState vehicle, double takeOffHeightMetres)
     {
         uint next = vehicle.CustomMode;

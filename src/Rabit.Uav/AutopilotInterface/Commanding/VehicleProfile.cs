@@ -27,6 +27,11 @@ internal abstract class VehicleProfile
 
     public abstract uint LandMode { get; }
 
+    /// <summary>
+    /// Whether it lets a gimbal be pointed only by the one that it was given to (MAV_CMD_DO_GIMBAL_MANAGER_CONFIGURE).
+    /// </summary>
+    private protected virtual bool GivesGimbalsToOne => false;
+
     /// <summary>The profile of a vehicle; null where it is not commanded, and why.</summary>
     public static VehicleProfile? For(in VehicleState vehicle, bool mayCommandFixedWing, out string? refusal)
     {
@@ -92,6 +97,8 @@ internal abstract class VehicleProfile
                 steps.Add(SetMode(LandMode));
                 return null;
             case VehicleCommandKind.PointCamera:
+                if (GivesGimbalsToOne)
+                    steps.Add(Long(MavCmd.DoGimbalManagerConfigure, context.Own.SystemId, context.Own.ComponentId));
                 steps.Add(PointCamera(command));
                 return null;
             default:
