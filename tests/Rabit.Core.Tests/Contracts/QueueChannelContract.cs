@@ -109,6 +109,25 @@ public abstract class QueueChannelContract(TimeKind kind) : ContractTests(kind)
         }
     }
 
+    [Fact, Trait("Clause", "3.4")]
+    public async Task ChannelReader_SeveralWaitForTheSameValue_AllAreReleasedByIt()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager source = run.Add("source");
+        QueueSender<int> sender = source.Send<int>("queue");
+        ChannelReader<int> reader = run.Reactor.Workspace.Receive<int>("queue", 10).AsChannelReader();
+        run.StartAndSettle();
+
+        Task<bool>[] waits = Enumerable.Range(0, 3).Select(_ => reader.WaitToReadAsync().AsTask()).ToArray();
+        Assert.DoesNotContain(waits, w => w.IsCompleted);
+        run.On(source, () => sender.Push(1));
+
+        foreach (Task<bool> wait in waits)
+            Assert.True(await InTime(wait));
+        Assert.True(reader.TryRead(out int value));
+        Assert.Equal(1, value);
+    }
+
     [Fact, Trait("Clause", "3.4"), Trait("Clause", "3.5")]
     public async Task ChannelReader_ValuesLeftAtTheEnd_CanStillBeReadAndAreReported()
     {

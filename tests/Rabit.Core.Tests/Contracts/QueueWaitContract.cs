@@ -122,6 +122,32 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
         Assert.InRange(values.Count(v => v.IsAlive), 0, 10);
     }
 
+    [Fact, Trait("Clause", "3.1")]
+    public async Task PushAsync_TimedOutManyTimesWhileNothingIsPopped_KeepsNothing()
+    {
+        using TestRun run = NewRun();
+        TimeSpan limit = TimeSpan.FromMilliseconds(1);
+        run.Add("sink").Receive<byte[]>("queue", 1, QueueFullMode.Wait, wakeOnPush: false, maxWait: limit);
+        QueueSender<byte[]> outside = run.Reactor.Workspace.Send<byte[]>("queue");
+        run.StartAndSettle();
+
+        await outside.PushAsync([]);
+        var values = new List<WeakReference>();
+        for (int i = 0; i < 40; i++)
+        {
+            TimeSpan begin = run.Reactor.Now;
+            (WeakReference value, Task<PushResult> push) = Push(outside, CancellationToken.None);
+            values.Add(value);
+            run.Until(() => run.Reactor.Now >= begin + limit, "the time is up");
+            Assert.Equal(PushResult.TimedOut, await InTime(push));
+        }
+
+        GC.Collect();
+
+        // The last ones may still be on a stack.
+        Assert.InRange(values.Count(v => v.IsAlive), 0, 10);
+    }
+
     [Fact, Trait("Clause", "3.1"), Trait("Clause", "3.5")]
     public async Task PushAsync_RunEndsMeanwhile_IsRejected()
     {

@@ -110,12 +110,16 @@ public sealed class QueueModelTests
     }
 
     [Theory, Trait("Clause", "3.1")]
-    [InlineData(QueueKinds.Pair)]
-    [InlineData(QueueKinds.Ring)]
-    public void TryPop_ValueWithReferences_IsNotKeptAlive(string kind)
+    [InlineData(QueueKinds.Pair, false)]
+    [InlineData(QueueKinds.Pair, true)]
+    [InlineData(QueueKinds.Ring, false)]
+    [InlineData(QueueKinds.Ring, true)]
+    [InlineData(QueueKinds.Rejects, false)]
+    [InlineData(QueueKinds.Rejects, true)]
+    public void Pop_ValueWithReferences_IsNotKeptAlive(string kind, bool several)
     {
         MessageQueue<object, SyncPoints> queue = QueueKinds.Create<object>(kind, 4);
-        WeakReference popped = PushAndPop(queue);
+        WeakReference popped = PushAndPop(queue, several);
         for (int i = 0; i < 10 && popped.IsAlive; i++)
         {
             // Mono looks at its stack conservatively: new frames over the old ones.
@@ -128,14 +132,17 @@ public sealed class QueueModelTests
         GC.KeepAlive(queue);
     }
 
-    private static WeakReference PushAndPop(MessageQueue<object, SyncPoints> queue)
+    private static WeakReference PushAndPop(MessageQueue<object, SyncPoints> queue, bool several)
     {
         WeakReference reference = null!;
         var thread = new Thread(() =>
         {
             reference = new WeakReference(new object());
             queue.Push(reference.Target!);
-            queue.TryPop(out _);
+            if (several)
+                queue.PopInto(new object[2]);
+            else
+                queue.TryPop(out _);
         });
         thread.Start();
         thread.Join();

@@ -66,4 +66,62 @@ public sealed class RingPositionsTests
             Assert.Equal(counters.Pushed, counters.Popped + counters.Resident);
         }
     }
+
+    // Far beyond 2^32, from starts on both sides of a wrap.
+    [Theory, Trait("Clause", "3.1")]
+    [InlineData(0)]
+    [InlineData(int.MaxValue - 3)]
+    [InlineData(int.MinValue)]
+    [InlineData(-3)]
+    public void Counters_ThousandsOfMillionsGoBy_AreExact(int start)
+    {
+        foreach (bool isAlone in new[] { false, true })
+        {
+            var positions = new RingPositions(start, isAlone);
+            long popped = 0;
+            for (int i = 0; i < 5 * Rounds; i++)
+            {
+                PushAll(ref positions, isAlone);
+                Assert.Equal((popped + Capacity, popped), (Read(ref positions).Pushed, Read(ref positions).Popped));
+                positions.MoveHead<SyncPoints>(Capacity);
+                popped += Capacity;
+                Assert.Equal((popped, popped), (Read(ref positions).Pushed, Read(ref positions).Popped));
+            }
+        }
+    }
+
+    [Theory, Trait("Clause", "3.1")]
+    [InlineData(int.MaxValue)]
+    [InlineData(-1)]
+    public void Counters_HeadCrossesHalfOfItsRange_AreExactBetweenItsStores(int start)
+    {
+        for (int point = 1; ; point++)
+        {
+            var positions = new RingPositions(start, isAlone: false);
+            positions.Reserve<SyncPoints>(1, 8, out _);
+            QueueCounters counters = default;
+            HeldUpPoints.HoldUpAt(point, () => counters = positions.Counters<SyncPoints>(8));
+
+            positions.MoveHead<HeldUpPoints>(1);
+
+            if (!HeldUpPoints.WasHeldUp)
+                return;
+            Assert.Equal(1, counters.Pushed);
+            Assert.InRange(counters.Popped, 0, 1);
+        }
+    }
+
+    private static QueueCounters Read(ref RingPositions positions) => positions.Counters<SyncPoints>(Capacity);
+
+    private static void PushAll(ref RingPositions positions, bool isAlone)
+    {
+        if (!isAlone)
+        {
+            Assert.Equal(Capacity, positions.Reserve<SyncPoints>(Capacity, Capacity, out _));
+            return;
+        }
+
+        Assert.Equal(Capacity, positions.Find<SyncPoints>(Capacity, Capacity, out int position));
+        Assert.True(positions.TryMoveTail<SyncPoints>(position, Capacity, isFenced: false));
+    }
 }
