@@ -6,7 +6,8 @@ namespace Rabit.Latency.Measuring;
 /// <summary>One of those that are set beside each other in a table: a name, and what it does in a round.</summary>
 /// <param name="name">The row's name.</param>
 /// <param name="round">Measures once and gives the values of the table's columns.</param>
-internal sealed class Subject(string name, Func<double[]> round) : IDisposable
+/// <param name="warmUp">What comes before the rounds; null: a round.</param>
+internal sealed class Subject(string name, Func<double[]> round, Action? warmUp = null) : IDisposable
 {
     private readonly List<IDisposable> _owned = [];
 
@@ -23,7 +24,13 @@ internal sealed class Subject(string name, Func<double[]> round) : IDisposable
     }
 
     /// <summary>One round that does not count.</summary>
-    public void WarmUp() => round();
+    public void WarmUp()
+    {
+        if (warmUp is null)
+            round();
+        else
+            warmUp();
+    }
 
     public void Measure()
     {

@@ -48,6 +48,13 @@ internal static class BaselineQueues
         public bool TryPop(out T value) => ring.TryPop(out value);
     }
 
+    public readonly struct Sequenced<T>(SequencedSpscRing<T> ring) : IPush<T>, IPop<T>
+    {
+        public bool TryPush(in T value) => ring.TryPush(value);
+
+        public bool TryPop(out T value) => ring.TryPop(out value);
+    }
+
     public readonly struct Single<T>(SpscRing<T> ring) : IPush<T>, IPop<T>
     {
         public bool TryPush(in T value) => ring.TryPush(value);

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.Threading.Channels;
@@ -10,6 +11,8 @@ namespace Rabit.Latency.Throughput;
 internal static class ThroughputMode
 {
     private const int Capacity = 1024;
+    private const int WarmUps = 120;
+    private const int MessagesOfWarmUp = 10_000;
 
     public static IReadOnlyList<Table> Run(RunOptions options) =>
     [
@@ -26,32 +29,39 @@ internal static class ThroughputMode
         int fast = options.Pick(100_000, 4_000_000);
         int slow = options.Pick(20_000, 1_000_000);
         var flow = new RabitFlow<T>(senders, Capacity);
-        Subject rabit = Row("Rabit, reject", () => flow.Run(fast)).Owning(flow);
+        Subject rabit = Row("Rabit, reject", fast, flow.Run).Owning(flow);
         Subject channel = Row(
-            "Channel, bounded",
-            () => BaselineFlow.Run<BaselineQueues.ChannelEnds<T>, T>(new(NewChannel<T>(senders)), senders, slow));
+            "Channel, bounded", slow,
+            n => BaselineFlow.Run<BaselineQueues.ChannelEnds<T>, T>(new(NewChannel<T>(senders)), senders, n));
         Subject limit = senders == 1
             ? Row(
-                "SPSC ring",
-                () => BaselineFlow.Run<BaselineQueues.Single<T>, T>(new(new SpscRing<T>(Capacity)), senders, fast))
+                "SPSC ring", fast,
+                n => BaselineFlow.Run<BaselineQueues.Single<T>, T>(new(new SpscRing<T>(Capacity)), senders, n))
             : Row(
-                "MPSC ring",
-                () => BaselineFlow.Run<BaselineQueues.Multi<T>, T>(new(new MpscRing<T>(Capacity)), senders, fast));
+                "MPSC ring", fast,
+                n => BaselineFlow.Run<BaselineQueues.Multi<T>, T>(new(new MpscRing<T>(Capacity)), senders, n));
         var subjects = new List<Subject>
         {
             limit,
             rabit,
             channel,
             Row(
-                "ConcurrentQueue, unbounded",
-                () => BaselineFlow.Run<BaselineQueues.Concurrent<T>, T>(new(new ConcurrentQueue<T>()), senders, fast)),
-            Row("BlockingCollection", () => BaselineFlow.Run<BaselineQueues.Blocking<T>, T>(
-                new(new BlockingCollection<T>(Capacity)), senders, slow)),
+                "ConcurrentQueue, unbounded", fast,
+                n => BaselineFlow.Run<BaselineQueues.Concurrent<T>, T>(new(new ConcurrentQueue<T>()), senders, n)),
+            Row("BlockingCollection", slow, n => BaselineFlow.Run<BaselineQueues.Blocking<T>, T>(
+                new(new BlockingCollection<T>(Capacity)), senders, n)),
             Row(
-                "ring under a lock",
-                () => BaselineFlow.Run<BaselineQueues.Locked<T>, T>(new(new LockedRing<T>(Capacity)), senders, fast)),
+                "ring under a lock", fast,
+                n => BaselineFlow.Run<BaselineQueues.Locked<T>, T>(new(new LockedRing<T>(Capacity)), senders, n)),
         };
-        Rounds.Run(subjects, options.Pick(1, options.Rounds), warmUps: options.Pick(1, 2));
+        if (senders == 1)
+        {
+            subjects.Insert(1, Row(
+                "SPSC ring with sequences", fast, n => BaselineFlow.Run<BaselineQueues.Sequenced<T>, T>(
+                    new(new SequencedSpscRing<T>(Capacity)), senders, n)));
+        }
+
+        Rounds.Run(subjects, options.Pick(1, options.Rounds), warmUps: options.Pick(1, WarmUps));
         rabit.Dispose();
         var table = new Table(
             "throughput",
@@ -69,5 +79,7 @@ internal static class ThroughputMode
         => Channel.CreateBounded<T>(
             new BoundedChannelOptions(Capacity) { SingleReader = true, SingleWriter = senders == 1 });
 
-    private static Subject Row(string name, System.Func<double> run) => new(name, () => [run()]);
+    // A warm-up is short: what counts is how often, until the loops around the queues are compiled to the last tier.
+    private static Subject Row(string name, int messages, Func<int, double> run)
+        => new(name, () => [run(messages)], warmUp: () => run(MessagesOfWarmUp));
 }

@@ -1,6 +1,4 @@
 using System;
-using System.Diagnostics.CodeAnalysis;
-using System.Runtime.CompilerServices;
 using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Queues;
@@ -38,33 +36,21 @@ namespace Rabit.Core.Queues;
 /// A sender that is held up between its check and its compare-and-swap while exactly 2^32 values go by would be misled
 /// (the ABA problem): 40 s at full speed, and then one chance in four thousand million.
 /// </remarks>
-internal sealed class MultiProducerRing<T, TSync> : MessageQueue<T, TSync>
+internal sealed class MultiProducerRing<T, TSync> : SequencedRing<T, TSync>
     where TSync : struct, ISyncPoints
 {
-    private readonly Slot[] _slots;   // a power of two of them
-    private RingPositions _state;
-
     /// <param name="name">For errors.</param>
     /// <param name="capacity">How many values fit in.</param>
     /// <param name="receiverWakeUp">Whom a push wakes.</param>
     /// <param name="start">The first position; tests let it wrap round soon.</param>
     public MultiProducerRing(string name, int capacity, WakeUpEvent<TSync>? receiverWakeUp, int start = 0)
-        : base(name, capacity, QueueFullMode.Reject, receiverWakeUp)
+        : base(name, capacity, receiverWakeUp, start, isAlone: false)
     {
-        int size = RingPositions.SizeFor(capacity);
-        _slots = new Slot[size];
-        for (int i = 0; i < size; i++)
-            SlotAt(unchecked(start + i)).Sequence = unchecked(start + i);
-        _state = new RingPositions(start, isAlone: false);
     }
-
-    public override int Count => Counters.Resident;
-
-    public override QueueCounters Counters => _state.Counters<TSync>(Capacity);
 
     public override PushResult Push(in T value)
     {
-        if (_state.Reserve<TSync>(1, Capacity, out int position) == 0)
+        if (State.Reserve<TSync>(1, Capacity, out int position) == 0)
             return PushResult.Rejected;
         ref Slot slot = ref SlotAt(position);
         Write(ref slot.Value, value);
@@ -85,7 +71,7 @@ internal sealed class MultiProducerRing<T, TSync> : MessageQueue<T, TSync>
     {
         if (values.IsEmpty)
             return 0;
-        int count = _state.Reserve<TSync>(values.Length, Capacity, out int position);
+        int count = State.Reserve<TSync>(values.Length, Capacity, out int position);
         for (int i = 0; i < count; i++)
         {
             ref Slot slot = ref SlotAt(unchecked(position + i));
@@ -101,68 +87,5 @@ internal sealed class MultiProducerRing<T, TSync> : MessageQueue<T, TSync>
         }
 
         return count;
-    }
-
-    public override bool TryPop([MaybeNullWhen(false)] out T value)
-    {
-        int head = _state.Head<TSync>();
-        ref Slot slot = ref SlotAt(head);
-        if (default(TSync).VolatileRead(ref slot.Sequence) != unchecked(head + 1))
-        {
-            value = default;
-            return false;
-        }
-
-        value = Read(ref slot.Value);
-        if (References.In<T>())
-            Write(ref slot.Value, default!);
-        _state.MoveHead<TSync>(1);
-        if (WakesSenders)
-            WakeSenders();
-        return true;
-    }
-
-    public override int PopInto(Span<T> target)
-    {
-        int head = _state.Head<TSync>();
-        int popped = 0;
-        for (; popped < target.Length; popped++)
-        {
-            int position = unchecked(head + popped);
-            ref Slot slot = ref SlotAt(position);
-            if (default(TSync).VolatileRead(ref slot.Sequence) != unchecked(position + 1))
-                break;
-            target[popped] = Read(ref slot.Value);
-            if (References.In<T>())
-                Write(ref slot.Value, default!);
-        }
-
-        if (popped == 0)
-            return 0;
-        _state.MoveHead<TSync>(popped);
-        if (WakesSenders)
-            WakeSenders();
-        return popped;
-    }
-
-    /// <summary>Takes nothing more. What is left stays: it need not be returned.</summary>
-    public override void Close() => _state.Close<TSync>();
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private ref Slot SlotAt(int position)
-    {
-        Slot[] slots = _slots;
-        return ref slots[position & (slots.Length - 1)];
-    }
-
-    private struct Slot
-    {
-        public T Value;
-
-        /// <summary>
-        /// The position of the value, plus one, once it is there. Written by the sender that reserved the place, read
-        /// by the receiver.
-        /// </summary>
-        public int Sequence;
     }
 }

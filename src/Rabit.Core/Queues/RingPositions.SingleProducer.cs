@@ -13,15 +13,22 @@ namespace Rabit.Core.Queues;
 /// A store cannot be refused, so what counts once the queue is closed is not the tail but <c>_lastTail</c>, which
 /// the first thread that needs it settles by compare-and-swap, once for all:
 /// <list type="bullet">
-/// <item>The sender moves the tail and then looks whether the queue is closed. If it is, it proposes its own tail; its
-/// values count if that, or a later one, is what was settled, and are rejected otherwise.</item>
-/// <item>The thread that closes, the receiver and readers of the counters read the tail and then look, too. If it is
-/// closed they fence all threads, read the tail again and propose that.</item>
+/// <item>The sender moves the tail, writes the sequences of the values, and then looks whether the queue is closed. If
+/// it is, it proposes its own tail; its values count if that, or a later one, is what was settled, and are rejected
+/// otherwise.</item>
+/// <item>The thread that closes and readers of the counters read the tail and then look, too; so does the receiver once
+/// it has found a value. If the queue is closed they fence all threads, read the tail again and propose that.</item>
 /// </list>
-/// The race it closes: a sender whose look came before the queue was closed reports its value as queued, though its
-/// store may still be on its way. The fence on all threads is between that look and the second read of the tail: the
-/// look was made before it, and then the store can be read after it; or it is made after it, and finds the queue
-/// closed. Where there is no such fence the sender stores by an exchange, a full fence of its own.
+/// The races it closes:
+/// <list type="bullet">
+/// <item>A sender whose look came before the queue was closed reports its value as queued, though its store of the tail
+/// may still be on its way. The fence on all threads is between that look and the second read of the tail: the look was
+/// made before it, and then the store can be read after it; or it is made after it, and finds the queue closed. Where
+/// there is no such fence the sequence is written by an exchange, a full fence of the sender's own.</item>
+/// <item>The receiver takes out a value that is settled not to count. It finds the value first and looks then, and the
+/// tail was moved before the value could be found. If it finds the queue open, the thread that closes it reads the tail
+/// later, with this value; if it finds it closed, it goes by what was settled.</item>
+/// </list>
 /// </remarks>
 internal partial struct RingPositions
 {
@@ -42,38 +49,24 @@ internal partial struct RingPositions
                 : FindSlow<TSync>(wanted, capacity, position);
     }
 
-    /// <summary>The sender has written values.</summary>
-    /// <param name="position">Of the first, as found.</param>
-    /// <param name="count">How many.</param>
-    /// <param name="isFenced">Whether the move is a full fence: what the sender reads next, it reads after it.</param>
-    /// <returns>False where the queue was closed meanwhile: they are counted as rejected.</returns>
+    /// <summary>The sender has written values; it says next, in their slots, that they are there.</summary>
+    /// <param name="tail">Behind the last of them.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool TryMoveTail<TSync>(int position, int count, bool isFenced)
+    public void MoveTail<TSync>(int tail)
         where TSync : struct, ISyncPoints
-    {
-        int tail = unchecked(position + count);
-        if (isFenced || !MemoryBarriers.ReachAllThreads)
-            default(TSync).Exchange(ref _tail, tail);
-        else
-            default(TSync).VolatileWrite(ref _tail, tail);
-        return default(TSync).VolatileRead(ref _fastPathLimit) != Closed || IsInTime<TSync>(tail, count);
-    }
+        => default(TSync).VolatileWrite(ref _tail, tail);
 
     /// <summary>
-    /// How many values the receiver finds; it looks at the tail only when it knows of too few.
+    /// Whether the values in front of the tail, which the sender has moved, count. Where fences do not reach all
+    /// threads, after a full fence.
     /// </summary>
+    /// <param name="tail">As moved.</param>
+    /// <param name="count">How many values.</param>
+    /// <returns>False where the queue was closed meanwhile: they are counted as rejected.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public int Available<TSync>(int wanted)
+    public bool AreInTime<TSync>(int tail, int count)
         where TSync : struct, ISyncPoints
-    {
-        int head = Head<TSync>();
-        int known = unchecked(default(TSync).Read(ref _seenTail) - head);
-        if (known >= wanted)
-            return known;
-        int tail = TailOfOne<TSync>();
-        default(TSync).Write(ref _seenTail, tail);
-        return unchecked(tail - head);
-    }
+        => default(TSync).VolatileRead(ref _fastPathLimit) != Closed || IsInTime<TSync>(tail, count);
 
     // In this order: a tail that was read while the queue was open is part of what will count.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -94,6 +87,12 @@ internal partial struct RingPositions
         default(TSync).FenceAllThreads();
         return Settle<TSync>(default(TSync).VolatileRead(ref _tail));
     }
+
+    // The receiver, once the queue is closed.
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private bool IsBeforeLastTail<TSync>(int position)
+        where TSync : struct, ISyncPoints
+        => unchecked(position - LastTail<TSync>()) < 0;
 
     // The sender, once the queue is closed: whether the values before this tail, which it has moved, count.
     [MethodImpl(MethodImplOptions.NoInlining)]

@@ -9,8 +9,8 @@ namespace Rabit.Core.Queues;
 /// <summary>
 /// Head, tail and counters of a <see cref="MultiProducerRing{T, TSync}"/> or
 /// <see cref="SingleProducerRing{T, TSync}"/>, which say how they are used. What senders write, what the receiver
-/// writes and the neighbours lie on different cache lines (128 bytes: two lines that are fetched together), against
-/// false sharing.
+/// writes, what hardly changes and the neighbours lie on different cache lines (128 bytes: two lines that are fetched
+/// together), against false sharing.
 /// </summary>
 [StructLayout(LayoutKind.Explicit, Size = 5 * Apart)]
 internal partial struct RingPositions
@@ -34,16 +34,6 @@ internal partial struct RingPositions
     [FieldOffset(Apart + 4)]
     private int _seenHead;
 
-    // Up to this many values there is room and no high-water mark to raise, so that a push need not look at the head:
-    // the mark while the queue takes values in, then Closed. Written by senders and by the thread that closes the
-    // queue, by interlocked operations.
-    [FieldOffset(Apart + 8)]
-    private int _fastPathLimit;
-
-    // The mark when the queue was closed; -1 before. Written once.
-    [FieldOffset(Apart + 12)]
-    private int _lastHighWater;
-
     // Written by senders, by interlocked operations.
     [FieldOffset(3 * Apart)]
     private long _rejected;
@@ -56,10 +46,6 @@ internal partial struct RingPositions
     // pops has 63 bits.
     [FieldOffset((2 * Apart) + 4)]
     private int _halfWraps;
-
-    // Where the tail was when the receiver last looked. The receiver's.
-    [FieldOffset((2 * Apart) + 8)]
-    private int _seenTail;
 
     // Of a single producer, once the queue is closed: Settled, and in the lower half how far from the start the tail
     // was; Open before. Written once, by compare-and-swap, by the first that needs it.
@@ -74,6 +60,16 @@ internal partial struct RingPositions
     [FieldOffset((4 * Apart) + 12)]
     private readonly bool _isAlone;
 
+    // Up to this many values there is room and no high-water mark to raise, so that a push need not look at the head:
+    // the mark while the queue takes values in, then Closed. Written by senders and by the thread that closes the
+    // queue, by interlocked operations.
+    [FieldOffset((4 * Apart) + 16)]
+    private int _fastPathLimit;
+
+    // The mark when the queue was closed; -1 before. Written once.
+    [FieldOffset((4 * Apart) + 20)]
+    private int _lastHighWater;
+
     /// <param name="start">The first position.</param>
     /// <param name="isAlone">Whether there is a single producer.</param>
     public RingPositions(int start, bool isAlone)
@@ -83,7 +79,6 @@ internal partial struct RingPositions
         _tail = start;
         _seenHead = start;
         _head = start;
-        _seenTail = start;
         _lastHighWater = -1;
     }
 
@@ -131,6 +126,15 @@ internal partial struct RingPositions
     public int Head<TSync>()
         where TSync : struct, ISyncPoints
         => default(TSync).Read(ref _head);
+
+    /// <summary>
+    /// Whether a value that the receiver finds at a position is its to take: not one of a single producer that was
+    /// rejected because the queue was closed meanwhile.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool Counts<TSync>(int position)
+        where TSync : struct, ISyncPoints
+        => !_isAlone || default(TSync).VolatileRead(ref _fastPathLimit) != Closed || IsBeforeLastTail<TSync>(position);
 
     /// <summary>The receiver has taken values out and cleared their slots.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -188,6 +188,8 @@ internal sealed class ExploredMachine
         bool isVolatile = operation.Kind is SyncKind.VolatileRead or SyncKind.VolatileWrite;
 
         // A memory begins with zeros: values are kept as what differs from the first.
+        if (UsesMemory(operation.Kind) && location >= _shape.Locations)
+            throw new InvalidOperationException($"The code has more than the model's {_shape.Locations} locations.");
         int first = UsesMemory(operation.Kind) ? _recorder.InitialValue(location) : 0;
         result = 0;
         if (UsesMemory(operation.Kind) && operation.Kind is not (SyncKind.Read or SyncKind.VolatileRead))

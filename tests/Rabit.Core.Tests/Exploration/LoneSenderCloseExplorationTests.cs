@@ -7,9 +7,8 @@ using Xunit.Abstractions;
 namespace Rabit.Core.Tests.Exploration;
 
 /// <summary>
-/// Contract 3.5 in every interleaving of the positions of a ring of one sender, which moves the tail by a store: a push
-/// that races with the end of the run is rejected, or its value is counted; nothing that is rejected is taken out, or
-/// ever counted.
+/// Contract 3.5 in every interleaving of a ring of one sender, which moves the tail by a store: a push that races with
+/// the end of the run is rejected, or its value is counted; nothing that is rejected is taken out, or ever counted.
 /// </summary>
 public sealed class LoneSenderCloseExplorationTests(ITestOutputHelper output)
 {
@@ -23,7 +22,7 @@ public sealed class LoneSenderCloseExplorationTests(ITestOutputHelper output)
     private const int CountedByOther = 3;
     private const int Notes = 4;
 
-    /// <summary>Memory, whether the move of the tail is a fence, pushes, pops, whether another looks.</summary>
+    /// <summary>Memory, whether the last store of a push is a fence, pushes, pops, whether another looks.</summary>
     public static TheoryData<string, bool, int, int, bool> Small() => new()
     {
         { "SequentiallyConsistent", false, 2, 1, false },
@@ -61,18 +60,22 @@ public sealed class LoneSenderCloseExplorationTests(ITestOutputHelper output)
 
     private void AssertNothingIsLost(string memory, bool isFenced, int pushes, int pops, bool looks)
     {
-        var ring = new Ring();
+        // A receiver that is woken is what makes a push fence. Its wake stays pending, so that there is one at most.
+        WakeUpEvent<ExploredSyncPoints>? receiver = isFenced ? new() : null;
+        var ring = new SingleProducerRing<int, ExploredSyncPoints>("q", Capacity, receiver, start: -1);
         Action[] threads =
         [
-            () => Push(ring, isFenced, pushes),
+            () => Push(ring, pushes),
             () => Close(ring),
             .. pops > 0 ? [() => Pop(ring, pops)] : Array.Empty<Action>(),
             .. looks ? [() => Look(ring)] : Array.Empty<Action>(),
         ];
 
+        // The locations: head, tail, head as it was last seen, half wraps, limit, last mark, last tail, state and time
+        // of the wake, and of each slot its value and sequence.
         // Without folding: a sender keeps what it has read for longer than places that look alike are watched.
         ExplorationResult result = Explorer.Explore(
-            new SmallModel(Notes, Check, threads) { MayFenceAll = true },
+            new SmallModel(Notes, Check, threads) { MayFenceAll = true, Locations = 9 + (2 * Capacity) },
             new ExplorerOptions(MemoryModels.Named(memory)) { WatchedSteps = 0 });
 
         output.WriteLine(result.ToString());
@@ -90,48 +93,40 @@ public sealed class LoneSenderCloseExplorationTests(ITestOutputHelper output)
         state.Require(other <= accepted, $"{accepted} were accepted, another thread counts {other}");
     }
 
-    private static void Push(Ring ring, bool isFenced, int times)
+    private static void Push(SingleProducerRing<int, ExploredSyncPoints> ring, int times)
     {
         int accepted = 0;
         for (int i = 0; i < times; i++)
         {
-            if (ring.Positions.Find<ExploredSyncPoints>(1, Capacity, out int position) == 1
-                && ring.Positions.TryMoveTail<ExploredSyncPoints>(position, 1, isFenced))
+            if (ring.Push(i) == PushResult.Queued)
                 accepted++;
         }
 
         ExploredSyncPoints.Note(accepted, state => state.Note(Accepted) = accepted);
     }
 
-    private static void Pop(Ring ring, int times)
+    private static void Pop(SingleProducerRing<int, ExploredSyncPoints> ring, int times)
     {
         int popped = 0;
         for (int i = 0; i < times; i++)
         {
-            if (ring.Positions.Available<ExploredSyncPoints>(1) == 0)
-                continue;
-            ring.Positions.MoveHead<ExploredSyncPoints>(1);
-            popped++;
+            if (ring.TryPop(out _))
+                popped++;
         }
 
         ExploredSyncPoints.Note(popped, state => state.Note(Popped) = popped);
     }
 
-    private static void Close(Ring ring)
+    private static void Close(SingleProducerRing<int, ExploredSyncPoints> ring)
     {
-        ring.Positions.Close<ExploredSyncPoints>();
-        int counted = (int)ring.Positions.Counters<ExploredSyncPoints>(Capacity).Pushed;
+        ring.Close();
+        int counted = (int)ring.Counters.Pushed;
         ExploredSyncPoints.Note(counted, state => state.Note(Counted) = counted);
     }
 
-    private static void Look(Ring ring)
+    private static void Look(SingleProducerRing<int, ExploredSyncPoints> ring)
     {
-        int counted = (int)ring.Positions.Counters<ExploredSyncPoints>(Capacity).Pushed;
+        int counted = (int)ring.Counters.Pushed;
         ExploredSyncPoints.Note(counted, state => state.Note(CountedByOther) = counted);
-    }
-
-    private sealed class Ring
-    {
-        public RingPositions Positions = new(start: -1, isAlone: true);
     }
 }

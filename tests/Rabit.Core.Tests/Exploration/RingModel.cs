@@ -32,9 +32,9 @@ internal sealed class RingModel : ExploredModel
 
     public override int Notes => _history.Size;
 
-    // Head, tail, both as they were last seen, half wraps, limit, last mark, and of each slot its value and sequence.
+    // Head, tail, head as it was last seen, half wraps, limit, last mark, and of each slot its value and sequence.
     public override (int Locations, int Signals, int Writes) Size
-        => (7 + (2 * RingPositions.SizeFor(_scenario.Capacity)), 1, 24);
+        => (6 + (2 * RingPositions.SizeFor(_scenario.Capacity)), 1, 24);
 
     public override void CheckQuiet(ExploredState state, Func<int, bool> mayRest)
     {

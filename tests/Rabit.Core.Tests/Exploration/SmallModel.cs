@@ -17,5 +17,10 @@ internal sealed class SmallModel(int notes, Action<ExploredState> check, params 
     /// <summary>See <see cref="FencesAllThreads"/>.</summary>
     public bool MayFenceAll { get; init; }
 
+    public override (int Locations, int Signals, int Writes) Size => (Locations, 1, 12);
+
+    /// <summary>How many locations the code has.</summary>
+    public int Locations { get; init; } = 8;
+
     public override void CheckQuiet(ExploredState state, Func<int, bool> mayRest) => check(state);
 }

@@ -122,6 +122,6 @@ public sealed class RingPositionsTests
         }
 
         Assert.Equal(Capacity, positions.Find<SyncPoints>(Capacity, Capacity, out int position));
-        Assert.True(positions.TryMoveTail<SyncPoints>(position, Capacity, isFenced: false));
+        positions.MoveTail<SyncPoints>(unchecked(position + Capacity));
     }
 }
