@@ -121,6 +121,30 @@ public sealed class CombinedTargetDetectorTests
         Assert.Equal(count, Search(picture, classes, classes).Length);
     }
 
+    /// <summary>The other half of the panel is beyond the border, but for so many rows.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(4)]
+    [InlineData(5)]
+    [InlineData(6)]
+    public void Detect_HalfOfAPanelThatTheBorderCuts_IsNoPerson(int rows)
+    {
+        ImmutableArray<TargetClass> classes = [Signal, Person];
+        foreach (bool isTop in new[] { true, false })
+        {
+            var painting = new Painting(10);
+            double edge = isTop ? rows - 0.5 : Painting.Height - 0.5 - rows;
+            double towards = isTop ? 1 : -1;
+            painting.Rectangle(Red, 300, edge + (towards * 3.25), 13, 6.5, 0);
+            painting.Rectangle(White, 300, edge - (towards * 3.25), 13, 6.5, 0);
+            painting.Rectangle(Red, 300, 200, 13, 6.5, 0);   // what looks like it, and lies alone
+
+            Assert.Equal(["person"], ClassesOf(Search(painting.Finish(), classes, classes)));
+        }
+    }
+
     [Fact]
     public void MissionFile_MinColourShare_IsReadAndFoundByForm()
     {

@@ -66,6 +66,9 @@ public sealed class ShapeTargetDetector : ITargetDetector
     // The cost at which a patch is as likely a target as not is the largest; by so much more, e times less likely.
     private const double CostScale = 3;
 
+    // Of its side: how far around a part of a target the picture must reach.
+    private const double AroundPart = 0.75;
+
     private readonly ImmutableArray<TargetClass> _classes;
     private readonly int[] _colourOf;
     private readonly SearchedColour[] _colours;
@@ -239,18 +242,18 @@ public sealed class ShapeTargetDetector : ITargetDetector
             ref readonly PatchCandidate candidate = ref _candidates[rank];
             if (_candidates.IsPiece(candidate) || !_candidates.TryChoose(rank)
                 || !IsWanted(_classes[candidate.Class], input.Classes)
-                || (LeavesOutCut && candidate.Shape.TouchesBorder))
+                || (LeavesOutCut && IsCut(candidate, input)))
                 continue;
             if (count == detections.Length)
                 dropped++;
             else
-                detections[count++] = Describe(candidate, input.GroundScale);
+                detections[count++] = Describe(candidate, input);
         }
 
         return DetectorResult.Found(count, dropped);
     }
 
-    private TargetDetection Describe(in PatchCandidate candidate, in PictureGroundScale ground) => new()
+    private TargetDetection Describe(in PatchCandidate candidate, in DetectorInput input) => new()
     {
         Class = _classes[candidate.Class].Name,
         CentreX = candidate.Shape.CentreX,
@@ -258,11 +261,25 @@ public sealed class ShapeTargetDetector : ITargetDetector
         WidthPixels = candidate.Shape.Width,
         HeightPixels = candidate.Shape.Height,
         SideMetres = candidate.SideMetres,
-        IsCut = candidate.Shape.TouchesBorder,
-        Bearing = PatchBearing.Of(candidate.Shape, _classes[candidate.Class], ground),
+        IsCut = IsCut(candidate, input),
+        Bearing = PatchBearing.Of(candidate.Shape, _classes[candidate.Class], input.GroundScale),
         Score = 1 / (1 + Math.Exp((candidate.Cost - PatchCandidates.MaxCost) / CostScale)),
         Covariance = PatchCovariance.Of(candidate.Shape, _classes[candidate.Class].MinColourShare < 1),
     };
+
+    // A target with parts of other colours is known by one of them. Beside the border what lies around it is not seen:
+    // the other half of a panel of two colours, or what else it may be a part of.
+    private bool IsCut(in PatchCandidate candidate, in DetectorInput input)
+    {
+        ref readonly PatchShape shape = ref candidate.Shape;
+        if (shape.TouchesBorder || _classes[candidate.Class].MinColourShare == 1)
+            return shape.TouchesBorder;
+        double around = AroundPart * Math.Sqrt(shape.Area);
+        double across = (shape.Width / 2) + around;
+        double down = (shape.Height / 2) + around;
+        return shape.CentreX < across || shape.CentreX > input.Width - 1 - across
+            || shape.CentreY < down || shape.CentreY > input.Height - 1 - down;
+    }
 
     private static bool IsWanted(TargetClass target, ImmutableArray<TargetClass> wanted)
     {
