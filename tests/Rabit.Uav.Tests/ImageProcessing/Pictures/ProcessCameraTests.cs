@@ -32,7 +32,8 @@ public sealed class ProcessCameraTests : IDisposable
     {
         List<byte[]> pictures = Run(
             Options(
-                "cat \"$1\"; sleep 0.3; cat \"$1\"; sleep 0.3; cat \"$1\"; sleep 60", Path.Combine(Jpegs, "420.jpg")),
+                $"cat \"$1\"; {UntilRead(1)} cat \"$1\"; {UntilRead(2)} cat \"$1\"; sleep 60",
+                Path.Combine(Jpegs, "420.jpg")),
             3, out ProcessCamera camera);
 
         Assert.Equal((3, 0, 0), (camera.PicturesDelivered, camera.PicturesRefused, camera.Restarts));
@@ -73,8 +74,8 @@ public sealed class ProcessCameraTests : IDisposable
         ProcessCameraOptions options = Options(
             "exec 3>\"$2\"; echo \"pipe=$2\" >&2; read up rest < /proc/uptime; "
                 + "ms=$(expr ${up%.*} \\* 1000 + ${up#*.} \\* 10 - 300); "
-                + "cat \"$1\"; printf 'ExposureTime=4000\\nSensorTimestamp=%s000000\\n\\n' $ms >&3; sleep 0.3; "
-                + "cat \"$1\"; printf 'SensorTimestamp=%s000000\\nGain=1\\nExposureTime=2000\\n\\n' "
+                + $"cat \"$1\"; printf 'ExposureTime=4000\\nSensorTimestamp=%s000000\\n\\n' $ms >&3; {UntilRead(1)} "
+                + "sleep 0.3; cat \"$1\"; printf 'SensorTimestamp=%s000000\\nGain=1\\nExposureTime=2000\\n\\n' "
                 + "$(expr $ms + 100) >&3; sleep 60",
             Path.Combine(Jpegs, "420.jpg"), "{metadata}");
         var frames = new List<CameraFrame>();
@@ -113,7 +114,7 @@ public sealed class ProcessCameraTests : IDisposable
     public void Read_OneTimeThatCannotBe_DoesNotSpoilTheNext()
     {
         ProcessCameraOptions options = Options(
-            "exec 3>\"$2\"; cat \"$1\"; printf 'SensorTimestamp=900000000000000000\\n\\n' >&3; sleep 0.3; "
+            $"exec 3>\"$2\"; cat \"$1\"; printf 'SensorTimestamp=900000000000000000\\n\\n' >&3; {UntilRead(1)} "
                 + "read up rest < /proc/uptime; cat \"$1\"; "
                 + "printf 'SensorTimestamp=%s000000\\n\\n' $(expr ${up%.*} \\* 1000 + ${up#*.} \\* 10 - 50) >&3; "
                 + "sleep 60",
@@ -187,7 +188,7 @@ public sealed class ProcessCameraTests : IDisposable
     public void Read_PicturesThatCannotBeUsed_AreCountedAndTheRestGoesOn()
     {
         ProcessCameraOptions options = Options(
-            "cat \"$1\"; sleep 0.3; cat \"$2\"; sleep 0.3; cat \"$3\"; sleep 60",
+            $"cat \"$1\"; {UntilRead(1)} cat \"$2\"; {UntilRead(2)} cat \"$3\"; sleep 60",
             Path.Combine(Jpegs, "arithmetic.jpg"), Path.Combine(Jpegs, "420-best.jpg"),
             Path.Combine(Jpegs, "420.jpg"));
 
@@ -341,8 +342,13 @@ public sealed class ProcessCameraTests : IDisposable
         Log = _log.Enqueue,
     };
 
+    // For a shell: waits until the camera has read so many pictures. Of several that wait it takes the newest alone.
+    private string UntilRead(int pictures) => $"until [ -e '{ReadMark(pictures)}' ]; do sleep 0.02; done;";
+
+    private string ReadMark(int pictures) => _folder.File($"read {pictures}");
+
     // Until so many pictures have come.
-    private static List<byte[]> Run(
+    private List<byte[]> Run(
         ProcessCameraOptions options, int count, out ProcessCamera camera, Func<bool>? until = null,
         Action<ProcessCamera>? before = null, List<CameraFrame>? frames = null)
     {
@@ -361,7 +367,18 @@ public sealed class ProcessCameraTests : IDisposable
         };
         reactor.Start();
         before?.Invoke(camera);
-        Assert.True(enough.Wait(MaxWait), $"{pictures.Count} pictures; {camera.LastFault}");
+        ProcessCamera read = camera;
+        int marked = 0;
+        Assert.True(
+            SpinWait.SpinUntil(
+                () =>
+                {
+                    while (marked < read.PicturesDelivered + read.PicturesRefused)
+                        File.Create(ReadMark(++marked)).Dispose();
+                    return enough.IsSet;
+                },
+                MaxWait),
+            $"{pictures.Count} pictures; {camera.LastFault}");
         Assert.True(SpinWait.SpinUntil(() => until?.Invoke() ?? true, MaxWait));
         reactor.Stop();
         reactor.Finish();
