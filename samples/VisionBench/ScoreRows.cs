@@ -38,7 +38,7 @@ internal static class ScoreRows
 
     private static string Text((double Mean, double Inside, int Count) errors) => errors.Count == 0
         ? "-"
-        : FormattableString.Invariant($"{errors.Mean:0.00} {100 * errors.Inside:0} % of {errors.Count}");
+        : FormattableString.Invariant($"{errors.Mean:0.00} {100 * errors.Inside:0.0} % of {errors.Count}");
 
     private static string Number(double value)
         => double.IsNaN(value) ? "-" : value.ToString("0.00", CultureInfo.InvariantCulture);

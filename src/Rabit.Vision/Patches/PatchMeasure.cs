@@ -20,6 +20,7 @@ public sealed class PatchMeasure
     private readonly PatchMap _map = new();
     private readonly BitGrid _half = new();   // what is covered by half and more
     private readonly PatchSamples _samples;
+    private readonly GroundSlope _slope;
     private float[] _coverage = [];
     private byte[] _pixels = [];
     private PatchFinder? _finder;
@@ -29,7 +30,7 @@ public sealed class PatchMeasure
     private bool _isLookedAt;
 
     /// <summary>Makes one; it measures once a picture is set.</summary>
-    public PatchMeasure() => _samples = new PatchSamples(_map);
+    public PatchMeasure() => (_samples, _slope) = (new PatchSamples(_map), new GroundSlope(_map));
 
     /// <summary>Sets the picture whose patches are measured from now on.</summary>
     /// <param name="pixels">Red, green, blue, row by row; read until the next picture is set.</param>
@@ -91,7 +92,10 @@ public sealed class PatchMeasure
         if (contrast < 1)
             return false;
         Cover(_ground, red / contrast, green / contrast, blue / contrast);
-        return Sum(ref shape) && Judge(ref shape, _inside);
+        if (!Sum(ref shape) || !Judge(ref shape, _inside))
+            return false;
+        _slope.Correct(_coverage, MinCoverage, ref shape);
+        return true;
     }
 
     private (double Red, double Green, double Blue) Corrected(in MeanColour colour)
