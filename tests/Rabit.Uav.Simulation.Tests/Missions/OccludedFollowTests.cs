@@ -15,6 +15,9 @@ public sealed class OccludedFollowTests(ITestOutputHelper output)
 {
     private const double NearMetres = 12;
 
+    // Half the diagonal of the picture at one metre of height: 400 of 530 pixels, and a little.
+    private const double PictureMetresPerMetre = 0.76;
+
     private static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(1);
     private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(8);
 
@@ -54,7 +57,9 @@ public sealed class OccludedFollowTests(ITestOutputHelper output)
         return passages;
     }
 
-    // The track of a target before it goes below something, and that when it is seen again soon after.
+    // The track of a target before it goes below something, and that when it is seen again soon after. Who stands in the
+    // open and outside the picture meanwhile, since another target is followed, is not hidden but left: that is counted
+    // apart.
     private sealed class Passage(SimulatedTarget target)
     {
         private int _before;
@@ -68,6 +73,8 @@ public sealed class OccludedFollowTests(ITestOutputHelper output)
 
         public int NotSeenAgain { get; private set; }
 
+        public int Left { get; private set; }
+
         public void Look(SearchFlight flight)
         {
             TimeSpan now = flight.Reactor.Now;
@@ -78,6 +85,8 @@ public sealed class OccludedFollowTests(ITestOutputHelper output)
                 (_isWaiting, _hiddenFrom) = (true, now);
             if (isHidden)
                 _outSince = now;
+            else if (_isWaiting && id == 0 && IsOutsidePicture(flight, place))
+                (_isWaiting, _before, Left) = (false, 0, Left + 1);
             else if (!_isWaiting)
                 _before = id;
             else if (id > 0)
@@ -87,7 +96,14 @@ public sealed class OccludedFollowTests(ITestOutputHelper output)
         }
 
         public override string ToString()
-            => $"{target.Name}, {target.Motion}: kept {Kept}, changed {Changed}, not seen again {NotSeenAgain}";
+            => $"{target.Name}, {target.Motion}: kept {Kept}, changed {Changed}, not seen again {NotSeenAgain}, left {Left}";
+
+        private static bool IsOutsidePicture(SearchFlight flight, NedPosition place)
+        {
+            NedPosition vehicle = flight.World.Truth.Pose.Position;
+            double apart = Math.Sqrt(Math.Pow(place.North - vehicle.North, 2) + Math.Pow(place.East - vehicle.East, 2));
+            return apart > PictureMetresPerMetre * (place.Down - vehicle.Down);
+        }
 
         private void End(int id, SearchFlight flight)
         {
