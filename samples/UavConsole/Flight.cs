@@ -82,7 +82,7 @@ internal sealed class Flight : IDisposable
         options.Look.ApplyTo(worldOptions);
         worldOptions.TakePlacesFrom(mission);
         var world = new SimulatedWorld(worldOptions);
-        mission = SimulatedLook.Declare(mission, world);
+        mission = options.Look.Declare(mission, world);
         var links = new MemoryLinkPair("vehicle");
         var time = new VirtualTime(options.Seed);
         if (options.IsRealTime)

@@ -37,10 +37,16 @@ internal sealed class SimulatedLook
         world.OccluderCount = Occluders;
     }
 
+    /// <summary>
+    /// The mission, which also searches for the classes of such targets, and points the gimbal where one holds the
+    /// camera.
+    /// </summary>
+    public MissionPlan Declare(MissionPlan mission, SimulatedWorld world)
+    {
+        MissionPlan declared = mission.WithTargets(world.Targets.Select(t => t.Declared).OfType<TargetClass>());
+        return Gimbal == SimulatedGimbal.AgainstBody ? declared : declared.WithGimbal();
+    }
+
     private static void Apply(SimulatedCameraOptions camera, SimulatedPictureEffects effects, int exposureMilliseconds)
         => (camera.Effects, camera.Exposure) = (effects, TimeSpan.FromMilliseconds(exposureMilliseconds));
-
-    /// <summary>The mission, which also searches for the classes of such targets.</summary>
-    public static MissionPlan Declare(MissionPlan mission, SimulatedWorld world)
-        => mission.WithTargets(world.Targets.Select(t => t.Declared).OfType<TargetClass>());
 }

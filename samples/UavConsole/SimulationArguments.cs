@@ -16,7 +16,8 @@ internal static class SimulationArguments
     private static readonly Option<string> Gimbal = new("--gimbal")
     {
         Description = "What holds the simulated camera: body (it rolls and pitches with the vehicle), heading "
-            + "(stabilised, follows the heading) or north (stabilised, keeps its direction). body without it.",
+            + "(stabilised, follows the heading) or north (stabilised, keeps its direction). The mission points a "
+            + "stabilised one, at a moving target while it is followed. body without it.",
         HelpName = "NAME",
     };
 

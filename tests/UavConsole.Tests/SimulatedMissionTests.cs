@@ -34,6 +34,21 @@ public sealed class SimulatedMissionTests : IDisposable
         CheckExports();
     }
 
+    [Theory]
+    [InlineData("heading", true)]
+    [InlineData("body", false)]
+    public void Gimbal_Stabilised_IsPointedByTheMission(string gimbal, bool isPointed)
+    {
+        using ConsoleProcess console = ConsoleProcess.RunIn(
+            _folder.Folder, out int exitCode, "--headless", "--mission", SmallMission.WriteTo(_folder.Folder), "--targets", "0",
+            "--gimbal", gimbal);
+
+        Assert.True(exitCode == 0, console.ToString());
+        Assert.Equal(
+            isPointed,
+            console.Output.Any(l => l.Contains("DoGimbalManagerPitchyaw (1000): Accepted", StringComparison.Ordinal)));
+    }
+
     [Fact]
     public void Interrupt_InTheMiddle_IsAFailedMissionWithItsReport()
     {

@@ -29,7 +29,7 @@ internal sealed class GroupFlight : IDisposable
     private GroupFlight(
         SimulatedGroup group, MissionFile file, MissionPlan mission, ConsoleOptions options, LogFile? log)
     {
-        (Group, MissionFile, Mission) = (group, file, SimulatedLook.Declare(mission, group.Vehicles[0].World));
+        (Group, MissionFile, Mission) = (group, file, options.Look.Declare(mission, group.Vehicles[0].World));
         SimulatedGroundStation station = group.GroundStations[0];
         Station = new GroupStation(
             station, options.Commands, new RunLog(log, $"station {FlightText.Number(station.SystemId)}: "));

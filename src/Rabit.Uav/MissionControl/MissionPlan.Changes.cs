@@ -51,6 +51,9 @@ public sealed partial class MissionPlan
         };
     }
 
+    /// <summary>The same whose camera is held by a gimbal that it points (<see cref="HasGimbal"/>).</summary>
+    public MissionPlan WithGimbal() => new(this) { HasGimbal = true };
+
     internal MissionPlan WithSpeed(double metresPerSecond)
         => new(this) { SpeedMetresPerSecond = metresPerSecond };
 

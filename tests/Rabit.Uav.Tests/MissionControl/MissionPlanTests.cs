@@ -254,6 +254,18 @@ public class MissionPlanTests
     }
 
     [Fact]
+    public void WithGimbal_FixedCamera_IsPointedAndTheRestIsTheSame()
+    {
+        MissionPlan plan = new() { Name = "pads", CameraPitch = Angle.FromDegrees(-60) };
+        MissionPlan pointed = plan.WithGimbal();
+
+        Assert.True(pointed.HasGimbal);
+        Assert.Equal("pads", pointed.Name);
+        Assert.Equal(-60, pointed.CameraPitch.Degrees, 9);
+        Assert.False(plan.HasGimbal);
+    }
+
+    [Fact]
     public void Options_MissionThatCannotBeFlown_IsRefusedWithAllFaults()
     {
         ArgumentException e = Assert.Throws<ArgumentException>(() => new MissionControlManager(new MissionControlOptions
