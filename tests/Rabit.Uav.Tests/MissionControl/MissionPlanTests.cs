@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Immutable;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;

@@ -35,6 +35,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
     private int _taken;
     private LaneShare _share;
     private TimeSpan? _doneSince;
+    private bool _isSpent;
     private GroupReport _own;
     private int _seenCells;
 
@@ -143,7 +144,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         LaneShare share = _division.ShareOf(SystemId);
         if (share.SystemId == 0)
             return;
-        (_share, _doneSince) = (share, null);
+        (_share, _doneSince, _isSpent) = (share, null, false);
         route.SeenToEachSideMetres = SeenToEachSide(flight);
         route.SetRest(lanes.Of(share), flight.OverlapMetres, flight.Position);
         string which = share.Count == 0
@@ -165,7 +166,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
     public string? FindWait(MissionFlight flight)
     {
         _doneSince ??= flight.Now;
-        if (flight.Now - _doneSince.Value > options.MaxWait)
+        if (flight.Now - _doneSince.Value > options.MaxWait || !HasEnergyToTakeOver(flight))
             return null;
         int busy = _members.Present(flight.Now)
             .Count(m => m.Report.State == GroupMemberState.Available && m.Report.MetresLeft > 0);
@@ -175,6 +176,16 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
             : _validation?.IsPending == true ? "our lanes are flown; targets are still being validated"
             : _following?.IsPending == true ? "our lanes are flown; a target is still followed"
             : null;
+    }
+
+    // It would wait until its battery calls it home, as one that failed.
+    private bool HasEnergyToTakeOver(MissionFlight flight)
+    {
+        EnergyStatus energy = flight.Energy.Status;
+        bool isSpent = energy.IsKnown && energy.TimeToReturn.TotalSeconds < MinFollowSeconds + ReserveSeconds;
+        if (isSpent && !_isSpent)
+            flight.Log("our lanes are flown, and too little is left to take anything over");
+        return !(_isSpent |= isSpent);
     }
 
     /// <summary>What of the others is in the way of a take-off; null where nothing is.</summary>
@@ -228,7 +239,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         Lanes = new SharedLanes(KeyOf(flight.Mission), _plan!.Lanes, flight.Mission.LaneSpacingMetres);
         _division.Clear();
         _coverage.Clear();
-        (_share, _doneSince, _skippedShared) = (default, null, 0);
+        (_share, _doneSince, _isSpent, _skippedShared) = (default, null, false, 0);
         if (!isFirst && _key != before)
             _members.Clear();
     }

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Uav.Messages;
@@ -48,8 +49,31 @@ public sealed class GroupSearchTests
         Assert.InRange(new PlanePoint(waiting.North, waiting.East).Length, 0, 5);
     }
 
+    [Fact]
+    public void Wait_BatteryIsTooLowToTakeAnythingOver_Returns()
+    {
+        using GroupRig rig = Open(2);
+        rig.Rigs[0].Vehicle.MaxSpeed = 2.5;
+        MissionRig waiting = rig.Rigs[1];
+        Assert.True(rig.RunUntil(() => IsWaiting(waiting), 900), rig.Story);
+        rig.Run(10);
+        double from = rig.Seconds;
+        Assert.True(
+            rig.RunUntil(
+                () =>
+                {
+                    waiting.Vehicle.Battery = Math.Max(0.05, 0.45 - ((rig.Seconds - from) * 0.002));
+                    return waiting.Status.Phase == MissionPhase.Returning;
+                },
+                110),
+            rig.Story);
+        Assert.InRange(rig.Seconds - from, 5, 100);
+        Assert.DoesNotContain("the battery is needed", rig.Story, StringComparison.Ordinal);
+        Assert.Contains("too little is left to take anything over", rig.Story, StringComparison.Ordinal);
+    }
+
     private static bool IsWaiting(MissionRig rig)
-        => rig.Status.Text?.StartsWith("our lanes are flown", System.StringComparison.Ordinal) == true;
+        => rig.Status.Text?.StartsWith("our lanes are flown", StringComparison.Ordinal) == true;
 
     [Fact]
     public void Search_OneIsSlow_TheOthersTakeSomeOfItsLanes()
@@ -192,7 +216,7 @@ public sealed class GroupSearchTests
         Assert.Equal(MissionPhase.WaitingForVehicle, rig.Rigs[1].Status.Phase);
         Assert.Contains(
             "vehicle 1 searches 0.0 m above or below our height", rig.Rigs[1].Status.Text,
-            System.StringComparison.Ordinal);
+            StringComparison.Ordinal);
     }
 
     private static GroupRig Open(int vehicles, int seed = 1)
