@@ -40,8 +40,8 @@ public sealed class SimulatedMissionTests : IDisposable
     public void Gimbal_Stabilised_IsPointedByTheMission(string gimbal, bool isPointed)
     {
         using ConsoleProcess console = ConsoleProcess.RunIn(
-            _folder.Folder, out int exitCode, "--headless", "--mission", SmallMission.WriteTo(_folder.Folder), "--targets", "0",
-            "--gimbal", gimbal);
+            _folder.Folder, out int exitCode, "--headless", "--mission", SmallMission.WriteTo(_folder.Folder),
+            "--targets", "0", "--gimbal", gimbal);
 
         Assert.True(exitCode == 0, console.ToString());
         Assert.Equal(

@@ -1,8 +1,6 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.Linq;
-using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 using Rabit.Uav.Simulation.Tests.Missions;
@@ -11,7 +9,7 @@ using Xunit.Abstractions;
 
 namespace Rabit.Uav.Simulation.Tests.Group;
 
-/// <summary>Two whole companion computers, a car that moves, and the battery of the one that follows it: by pictures.</summary>
+/// <summary>Two whole companion computers follow a car by pictures, one after the other.</summary>
 public sealed class GroupFollowTests(ITestOutputHelper output)
 {
     private static readonly int[] Vehicles = [0, 1];

@@ -57,9 +57,9 @@ public sealed class OccludedFollowTests(ITestOutputHelper output)
         return passages;
     }
 
-    // The track of a target before it goes below something, and that when it is seen again soon after. Who stands in the
-    // open and outside the picture meanwhile, since another target is followed, is not hidden but left: that is counted
-    // apart.
+    // The track of a target before it goes below something, and that when it is seen again soon after. One that is in
+    // the open and outside the picture meanwhile, since another target is followed, is not hidden but left: that is
+    // counted apart.
     private sealed class Passage(SimulatedTarget target)
     {
         private int _before;
