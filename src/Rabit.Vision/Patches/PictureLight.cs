@@ -19,6 +19,10 @@ public sealed class PictureLight
     private const double MaxRed = 1.25;
     private const double MinRed = 0.75;
 
+    // Low sun makes ground no redder than this undoes; what is redder still is red soil, on which a yellow panel would
+    // be green without that limit.
+    private const double MinRedGain = 0.85;
+
     // A tile that is brighter is filled by one bright thing: its ground is taken to be like the rest.
     private const double MaxTileLevel = 1.5;
 
@@ -81,7 +85,7 @@ public sealed class PictureLight
         Level = (int)green;
         for (int tile = 0; tile < _levels.Length; tile++)
             _levels[tile] = (byte)Math.Min(_levels[tile], MaxTileLevel * Level);
-        RedGain = Math.Min(Math.Max(red / green, MinRed), MaxRed) / (red / green);
+        RedGain = Math.Max(MinRedGain, Math.Min(Math.Max(red / green, MinRed), MaxRed) / (red / green));
         BlueGain = Math.Min(Math.Max(blue / green, MinBlue), MaxBlue) / (blue / green);
         Whitest = LevelOfBrightest();
         (RedVeil, GreenVeil, BlueVeil) = (VeilOf(_red, RedGain), VeilOf(_green, 1), VeilOf(_blue, BlueGain));

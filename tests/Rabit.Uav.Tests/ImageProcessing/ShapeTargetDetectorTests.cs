@@ -21,6 +21,31 @@ public sealed class ShapeTargetDetectorTests
         Assert.Equal(DefaultTargetClasses.Blue, Assert.Single(found).Class);
     }
 
+    /// <summary>Red soil is not white ground in red light, in which they would be yellow.</summary>
+    [Fact]
+    public void Detect_OrangeAndRedOnRedSoil_AreFoundByTheirColours()
+    {
+        var painting = new Painting(32);
+        for (int at = 0; at < painting.Pixels.Length; at += 3)
+        {
+            (double red, double blue) = (1.7 * painting.Pixels[at + 1], 0.65 * painting.Pixels[at + 1]);
+            (painting.Pixels[at], painting.Pixels[at + 2]) = ((byte)Math.Min(255, red), (byte)blue);
+        }
+
+        painting.Rectangle(Painting.Nominal(DefaultTargetClasses.Orange), 200, 200, 20, 20, 0.3);
+        painting.Rectangle(Painting.Nominal(DefaultTargetClasses.Red), 400, 250, 20, 20, 0.7);
+        var detections = new TargetDetection[16];
+        DetectorResult result = new ShapeTargetDetector(TargetClass.Defaults).Detect(
+            new DetectorInput(
+                painting.Pixels, Painting.Width, Painting.Height, TargetClass.Defaults,
+                PictureGroundScale.Uniform(0.05)),
+            detections);
+
+        Assert.Equal(
+            [DefaultTargetClasses.Orange, DefaultTargetClasses.Red],
+            detections.Take(result.Count).OrderBy(d => d.CentreX).Select(d => d.Class));
+    }
+
     private static (TargetDetection[] Found, DetectorResult Result) Search(TestView view, int spots)
     {
         var painting = new Painting(31);

@@ -121,6 +121,15 @@ public class PatchTests
     }
 
     [Fact]
+    public void Measure_RedSoil_IsNoRedLight()
+    {
+        byte[] picture = Paint(165, 97, 60, left: 0, top: 0, columns: Width, rows: Height);
+        _light.Measure(picture, Width, Height);
+        Assert.InRange(_light.RedGain, 0.85, 1);
+        Assert.True(243 * _light.RedGain > 0.9 * 214);   // still yellow
+    }
+
+    [Fact]
     public void TryFind_WhiteAtPaleConcrete_IsAPatchOfItsOwn()
     {
         byte[] picture = Paint(240, 240, 238, left: 40, top: 18, columns: 8, rows: 6);
