@@ -14,6 +14,9 @@ internal struct PatchCandidate
     /// <summary>How unlike to its class; see <see cref="PatchCost"/>.</summary>
     public double Cost;
 
+    /// <summary>The part of the cost that is of its colour.</summary>
+    public double ColourCost;
+
     /// <summary>Whether its colour is white.</summary>
     public bool IsWhite;
 

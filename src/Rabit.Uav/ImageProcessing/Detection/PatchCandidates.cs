@@ -23,6 +23,7 @@ internal sealed class PatchCandidates
 
     // A group of parts that is a target as a whole, although less like one than one of its parts alone is.
     private const double MuchCostlier = 9;
+    private const double MaxFormCost = 2;
     private const double MuchLargerGroup = 1.2;
 
     private readonly PatchCandidate[] _all = new PatchCandidate[Max];
@@ -96,10 +97,17 @@ internal sealed class PatchCandidates
         => other.Parts > 1 && other.Cost <= Math.Min(MaxCost, candidate.Cost + MuchCostlier)
             && other.Shape.Area > MuchLargerGroup * candidate.Shape.Area;
 
+    // Of a small thing the blur mixes ground into a good part: with its faded edge it is of the same form, and only of
+    // another colour.
+    private static bool IsItsFadedEdge(in PatchCandidate other, in PatchCandidate candidate)
+        => !candidate.IsWhite && other.Class == candidate.Class && candidate.Shape.Area < FewPixels
+            && other.Cost > MaxCost && other.Cost - other.ColourCost < MaxFormCost;
+
     // White is even: a whole that is no target itself, as a slab of concrete, is what the piece lies on.
     private static bool IsWhole(in PatchCandidate other, in PatchCandidate candidate)
         => candidate.IsStrong && !other.IsStrong && other.Parts == 1
             && (!candidate.IsWhite || other.Cost <= MaxCost)
+            && !IsItsFadedEdge(other, candidate)
             && other.Shape.GroundNoise < 0.13 && other.Shape.Continuation < 0.05
             && other.Shape.Unevenness < 0.2 && other.Shape.Outline < 1.2
             && other.Shape.Area

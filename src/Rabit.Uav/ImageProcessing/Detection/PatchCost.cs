@@ -12,10 +12,10 @@ namespace Rabit.Uav.ImageProcessing;
 internal static class PatchCost
 {
     /// <summary>
-    /// Square pixels: the light of a pixel comes from its whole square, and the lens blurs it by about 0.9 px, in
-    /// colour too.
+    /// Square pixels: the light of a pixel comes from its whole square, and lens and JPEG blur it by about 1 px in
+    /// colour.
     /// </summary>
-    public const double BlurVariance = (1.0 / 12) + 0.85;
+    public const double BlurVariance = (1.0 / 12) + 0.95;
 
     // What covers half a side of it at the border of the picture may go on beyond; at half of a target seen, its side
     // is smaller by 0.35 (natural logarithm), and rarely by more.
@@ -26,11 +26,19 @@ internal static class PatchCost
     // Whatever is large, a roof or a pool, gives pieces of any size at the border.
     private const double CutPrior = 3;
 
+    // Pixels across: of what is so thin, a JPEG that has colour in half of the rows and columns mixes in the ground
+    // beside it all over its width; a pixel thinner, by how much its colour then counts less.
+    private const double ThinSide = 3.75;
+    private const double ThinGain = 0.35;
+    private const double MaxAspectOfThin = 4;
+
     // A filled rectangle of area A has sigma_long * sigma_short = A / 12.
     private const double RectangleFactor = 12;
 
+    /// <summary>The cost, and how much of it is of the colour (0 for white and black).</summary>
     public static double Of(
-        in PatchShape shape, in GroundScale scale, TargetClass target, in ColourLikeness colour, out double side)
+        in PatchShape shape, in GroundScale scale, TargetClass target, in ColourLikeness colour, out double side,
+        out double ofColour)
     {
         double root = Math.Sqrt(shape.Area);
         side = root * Math.Sqrt((1 - colour.Mixed) * scale.PixelArea);
@@ -58,6 +66,7 @@ internal static class PatchCost
         cost += Square(Math.Max(0, shape.Unevenness - 0.15 - (0.2 * other)) / 0.08);
         cost += Square(Math.Max(0, shape.GroundNoise - (colour.IsNeutral ? 0.15 : 0.1)) / 0.08);
         cost += colour.Darkness;
+        ofColour = 0;
         if (colour.IsNeutral)
         {
             cost += 3 + (3 * colour.Cost);
@@ -67,11 +76,19 @@ internal static class PatchCost
             return cost;
         }
 
-        double large = Math.Min(1, Math.Max(0, (root - 4.5) / 2));
-        cost += colour.Cost * (2.5 + (3 * large));
-        cost += Square(Math.Max(0, 75 + (20 * large) - shape.Contrast) / 17);
+        ofColour = colour.Cost * ColourWeight(root, aspect);
+        cost += ofColour;
+        cost += Square(Math.Max(0, 75 + (20 * Large(root)) - shape.Contrast) / 17);
         return cost;
     }
+
+    private static double ColourWeight(double root, double aspect)
+    {
+        double across = root / Math.Sqrt(Math.Min(MaxAspectOfThin, aspect));
+        return (2.5 + (3 * Large(root))) * (1 - (ThinGain * Math.Min(1, Math.Max(0, ThinSide - across))));
+    }
+
+    private static double Large(double side) => Math.Min(1, Math.Max(0, (side - 4.5) / 2));
 
     /// <summary>Standard deviations on the ground along its long and its short axis, metres.</summary>
     public static (double Long, double Short) SpreadMetres(in PatchShape shape, in GroundScale scale, double blur)

@@ -220,9 +220,9 @@ public sealed class ShapeTargetDetector : ITargetDetector
         {
             if (_colourOf[i] != best.Colour)
                 continue;
-            double cost = PatchCost.Of(shape, scale, _classes[i], likeness, out double side);
+            double cost = PatchCost.Of(shape, scale, _classes[i], likeness, out double side, out double ofColour);
             if (cost < best.Cost)
-                (best.Cost, best.Class, best.SideMetres) = (cost, i, side);
+                (best.Cost, best.ColourCost, best.Class, best.SideMetres) = (cost, ofColour, i, side);
         }
 
         if (best.IsWhite)
