@@ -67,6 +67,9 @@ internal sealed class FusedTrack
     /// <summary>The last observation that reported it, as the tracker counts them.</summary>
     public long LastObservation { get; set; }
 
+    /// <summary>The last of these that was a picture of our own.</summary>
+    public long LastInOwnPicture { get; set; }
+
     /// <summary>When a report of it last went out to others; null before the first.</summary>
     public TimeSpan? SharedTime { get; set; }
 

@@ -65,6 +65,8 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
             int column = _assignment.ColumnOf(i);
             FusedTrack? track = column >= 0 ? Update(_tracks[column], reports[i]) : Start(reports[i], time);
             isChanged |= track is not null;
+            if (track is not null && footprint.IsKnown)
+                track.LastInOwnPicture = _observationCount;
             updated.Add(track);
         }
 
