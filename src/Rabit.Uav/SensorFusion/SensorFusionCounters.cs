@@ -47,8 +47,8 @@ public sealed class SensorFusionCounters
     public long TracksDropped { get; init; }
 
     /// <summary>
-    /// Tracks that turned out to be of the target of another track, which goes on as both, or without those that took it
-    /// for one of another class; of a target that was hidden also one of <see cref="TracksFoundAgain"/>.
+    /// Tracks that turned out to be of the target of another track, which goes on as both, or without one of another
+    /// class that it was taken for; of a target that was hidden also one of <see cref="TracksFoundAgain"/>.
     /// </summary>
     public long TracksMerged { get; init; }
 

@@ -82,6 +82,18 @@ public sealed class MixedTargetFlightTests(ITestOutputHelper output)
         Check(score, FormattableString.Invariant($"seed {seed}"));
     }
 
+    /// <summary>Half of the panel was taken for a person in four pictures.</summary>
+    [Fact, Trait("Category", "Long")]
+    public void Search_HalfOfAPanelLooksLikeAPersonNowAndThen_IsNoSecondTarget()
+    {
+        string mission = SearchFlight.BundledText
+            .Replace("\"heightMetres\": 40", "\"heightMetres\": 30")
+            .Replace("\"laneSpacingMetres\": 30", "\"laneSpacingMetres\": 22");
+        MissionScore score = Fly(
+            mission, new SimulationOptions { Seed = 13, TargetCount = 8, TargetKinds = AllKinds });
+        Check(score, "seed 13");
+    }
+
     private static void Check(MissionScore score, string where, string mayBeMissed = "")
     {
         TargetScore[] found = [.. score.Targets.Where(t => t.Track is not null)];
