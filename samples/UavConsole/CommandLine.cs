@@ -103,7 +103,7 @@ internal static class CommandLine
 
     private static readonly Option<string> Summary = new("--summary")
     {
-        Description = "Writes the summary as JSON too (docs/uavconsole-summary.md).",
+        Description = "Writes the summary as JSON too (docs/uavconsole-summary.md); of one vehicle, not with --vehicles.",
         HelpName = "FILE"
     };
 

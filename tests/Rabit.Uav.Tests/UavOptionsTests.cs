@@ -1,6 +1,8 @@
 using System;
 using System.Linq;
 using Rabit.Links;
+using Rabit.Uav.MissionControl;
+using Rabit.Uav.Tests.MissionControl;
 using Xunit;
 
 namespace Rabit.Uav.Tests;
@@ -65,6 +67,26 @@ public sealed class UavOptionsTests
         Assert.Equal("link tlog:/nowhere/a.tlog: no such file", fault.Message);
         using UdpListenLink again = UdpListenLink.Open("127.0.0.1", port);
     }
+
+    [Theory]
+    [InlineData(5, 17, "Mission Control: Mission in layer 5, 85.0 m above layer 0: heightMetres is 125; it must be 5 "
+        + "to 120; with 17.0 m from one layer to the next there is room for 5 vehicles, in layers 0 to 4.")]
+    [InlineData(1, 90, "Mission Control: Mission in layer 1, 90.0 m above layer 0: heightMetres is 130; it must be 5 "
+        + "to 120; with 90.0 m from one layer to the next there is room for 1 vehicle, in layer 0.")]
+    public void Open_LayerAboveTheLimit_SaysHowManyVehiclesThereIsRoomFor(int layer, double spacing, string expected)
+        => AssertRefused(expected, InGroup(new GroupOptions { HeightLayer = layer, LayerSpacingMetres = spacing }));
+
+    [Fact]
+    public void Open_LayersUpToTheLimit_AreAllowed()
+        => UavSystem.Open(InGroup(new GroupOptions { HeightLayer = 5, LayerSpacingMetres = 16 })).Dispose();
+
+    private static UavOptions InGroup(GroupOptions group) => new()
+    {
+        OpenLinks = [new MemoryLinkPair("vehicle").A],
+        Mission = MissionPlan.Parse(MissionRig.Text(), "mission"),
+        MayCommand = true,
+        MissionControl = new MissionControlOptions { Group = group },
+    };
 
     private static void AssertRefused(string expected, UavOptions options)
     {

@@ -20,21 +20,24 @@ public sealed class GroupTests : IDisposable
 
         using ConsoleProcess console = ConsoleProcess.RunIn(
             _folder.Folder, out int exitCode, "--headless", "--vehicles", "2", "--targets", "1", "--mission", mission,
-            "--report", "r.html", "--command", "20:9:land", "--command", "30:all:hold", "--command", "33:all:continue");
+            "--report", "r.html", "--command", "30:all:hold", "--command", "33:all:continue", "--command",
+            "2000:2:land");
 
-        Assert.True(exitCode == 0, console.ToString());
-        Assert.Empty(console.Errors);
+        // All was done but one command, which came too late.
+        Assert.True(exitCode == 2, console.ToString());
+        Assert.StartsWith(
+            "UavConsole: --command 2000:2:land was not given: the flight was over after ",
+            Assert.Single(console.Errors), StringComparison.Ordinal);
         Assert.Contains("--- summary of 2 vehicles ---", console.Output);
         Assert.Contains("mission: ACCOMPLISHED", console.Output);
         Assert.Contains("1 of 1 targets found, 0 false", string.Join("\n", console.Output));
         Assert.Single(console.Output, l => l.Contains(": found by vehicle ")
             && l.EndsWith(" confirmed", StringComparison.Ordinal));
-        Assert.Single(console.Output, l => l.StartsWith("station 255: ", StringComparison.Ordinal)
-            && l.EndsWith("land of vehicle 9: there is no vehicle 9; received were 1, 2", StringComparison.Ordinal));
         foreach (string command in new[] { "hold", "continue" })
         {
             Assert.Single(
-                console.Output, l => l.EndsWith($"{command} of all: accepted by 1, 2", StringComparison.Ordinal));
+                console.Output, l => l.StartsWith("station 255: ", StringComparison.Ordinal)
+                    && l.EndsWith($"{command} of all: accepted by 1, 2", StringComparison.Ordinal));
         }
 
         string group = File.ReadAllText(Path.Combine(_folder.Folder, "r.html"));
@@ -58,6 +61,12 @@ public sealed class GroupTests : IDisposable
     [InlineData("--vehicles 2 --command 5:0:hold", "--command 5:0:hold: it must be SECONDS:VEHICLE:COMMAND with")]
     [InlineData("--vehicles 2 --command 5:all:reject=1", "--command 5:all:reject=1: it must be")]
     [InlineData("--vehicles 2 --command NaN:1:hold", "--command NaN:1:hold: it must be")]
+    [InlineData("--vehicles 2 --command 5:3:hold", "--command 5:3:hold: there is no vehicle 3; --vehicles 2 has the "
+        + "vehicles 1 to 2.")]
+    [InlineData("--vehicles 8", "vehicle 6: Mission Control: Mission in layer 5, 85.0 m above layer 0: heightMetres is "
+        + "125; it must be 5 to 120; with 17.0 m from one layer to the next there is room for 5 vehicles, in layers 0 "
+        + "to 4.")]
+    [InlineData("--group-layer 1 --fixed-wing 60", "--fixed-wing does not go with --group-layer.")]
     [InlineData("--group-layer 1", "--group-layer needs --link URL, --mission FILE and --fly;")]
     [InlineData("--group-layer 9", "--group-layer 9: it must be a number from 0 to 7.")]
     public void Options_ThatMakeNoSense_AreNamed(string arguments, string expected)

@@ -11,12 +11,25 @@ namespace UavConsole;
 /// <summary>The options of the command line for several vehicles.</summary>
 internal static class GroupArguments
 {
+    // What is of one vehicle.
+    private static readonly string[] Alone =
+    [
+        "--config", "--sign-key", "--web", "--summary", "--export", "--tlog-dir", "--tlog-size", "--keep-pictures",
+        "--keep-all-pictures", "--progress", "--resume",
+    ];
+
+    // What a vehicle of a group does not do.
+    private static readonly string[] NotInAGroup = ["--fixed-wing", "--terrain", "--resume"];
+
     /// <summary>How many search together.</summary>
     public static Option<int?> Vehicles { get; } = new("--vehicles")
     {
         Description = "How many simulated vehicles search the area together, 1 to "
-            + $"{SimulatedGroupOptions.MaxVehicles}. They divide its lanes, each flies 17 m above the one before it, "
-            + "and beside the report of the group each has one of its own. 1 without it.",
+            + $"{SimulatedGroupOptions.MaxVehicles}. They divide its lanes, each flies 17 m above the one before it "
+            + "(--layer-spacing), none above 120 m: the bundled mission, 40 m high, has room for 5, of which 3 are low "
+            + "enough for its smallest target. Beside the report of the group each has one of its own. It does not go "
+            + "with "
+            + string.Join(", ", Alone) + ". 1 without it.",
         HelpName = "N",
         CustomParser = Parse,
     };
@@ -66,6 +79,8 @@ internal static class GroupArguments
     {
         if (result.GetValue(Layer) is not null && !given.Flies.Value)
             yield return $"{Layer.Name} needs --link URL, --mission FILE and --fly; the simulation has --vehicles.";
+        foreach (string name in NotInAGroup.Where(n => result.GetValue(Layer) is not null && IsGiven(result, n)))
+            yield return $"{name} does not go with {Layer.Name}.";
         bool isGroup = Read(result) > 1;
         if (result.GetValue(LayerSpacing) is not null && !isGroup && result.GetValue(Layer) is null)
             yield return $"{LayerSpacing.Name} needs {Vehicles.Name} or {Layer.Name}.";
@@ -79,14 +94,14 @@ internal static class GroupArguments
             yield break;
         }
 
-        string[] alone =
-        [
-            "--config", "--sign-key", "--web", "--summary", "--export", "--tlog-dir", "--tlog-size", "--keep-pictures", "--keep-all-pictures", "--progress",
-            "--resume",
-        ];
-        foreach (string name in alone.Where(n => result.Tokens.Any(t => t.Value == n)))
+        foreach (ScriptedCommand command in (result.GetValue(Commands) ?? []).Where(c => c.Vehicle > Read(result)))
+            yield return $"{Commands.Name} {command.Text}: there is no vehicle {command.Vehicle}; {Vehicles.Name} "
+                + $"{Read(result)} has the vehicles 1 to {Read(result)}.";
+        foreach (string name in Alone.Where(n => IsGiven(result, n)))
             yield return $"{name} is for one vehicle; it does not go with --vehicles.";
     }
+
+    private static bool IsGiven(ParseResult result, string option) => result.Tokens.Any(t => t.Value == option);
 
     private static int? ParseLayer(ArgumentResult result)
     {

@@ -143,9 +143,22 @@ internal sealed class GroupFlight : IDisposable
         options.Preflight.ApplyTo(uavOptions, Mission, isSimulated: true);
         options.Operator.ApplyTo(uavOptions.MissionControl);
         var log = new RunLog(file, $"vehicle {FlightText.Number(number + 1)}: ");
-        UavSystem uav = UavSystem.Open(uavOptions);
+        UavSystem uav = Open(uavOptions, number);
         RabitReactor reactor = uav.CreateReactor(new ReactorOptions { StopsOnSignals = false, Log = log.Add });
         Vehicles.Add(new GroupVehicle(number, simulated, uav, reactor, log));
         Group.Attach(number, reactor);
+    }
+
+    private static UavSystem Open(UavOptions options, int number)
+    {
+        try
+        {
+            return UavSystem.Open(options);
+        }
+        catch (ArgumentException e)
+        {
+            throw new ArgumentException(
+                $"vehicle {FlightText.Number(number + 1)}: {FlightRun.FirstLine(e.Message)}", nameof(options), e);
+        }
     }
 }

@@ -78,7 +78,11 @@ internal static class GroupRun
         GroupFlightSummary summary = GroupSummary.Of(
             flight, summaries, options, files.Reports.Skip(1).Select(r => r.Path).ToArray());
         GroupSummaryText.Write(Console.Out, summary);
-        string?[] losses = [.. WriteReports(files, summary), files.Log?.Loss, lost, output.Loss];
+        string?[] losses =
+        [
+            .. WriteReports(files, summary), files.Log?.Loss, lost, output.Loss,
+            .. stop.IsCancellationRequested ? [] : NotGiven(flight),
+        ];
         foreach (string loss in losses.OfType<string>())
             Console.Error.WriteLine("UavConsole: " + FlightRun.FirstLine(loss));
         return losses.Any(l => l is not null) ? BadInput : summary.HasPassed ? 0 : 1;
@@ -152,6 +156,10 @@ internal static class GroupRun
             EventCount = vehicle.Log.Flight.Count,
         };
     }
+
+    private static IEnumerable<string> NotGiven(GroupFlight flight) => flight.Station.NotGiven.Select(
+        c => $"--command {c.Text} was not given: the flight was over after "
+            + $"{FlightText.Number(flight.Group.Now.TotalSeconds, "0")} s.");
 
     private static IEnumerable<string?> WriteReports(RunFiles files, GroupFlightSummary summary)
     {

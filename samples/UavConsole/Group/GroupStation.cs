@@ -25,6 +25,9 @@ internal sealed class GroupStation
 
     public RunLog Log { get; }
 
+    /// <summary>What was not due before the end; after it.</summary>
+    public IReadOnlyCollection<ScriptedCommand> NotGiven => _script;
+
     /// <summary>Gives what is due; the thread that simulates.</summary>
     public void Update(TimeSpan now)
     {

@@ -2,6 +2,7 @@ using System;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 using Rabit.Uav.Reporting;
 using Rabit.Uav.Simulation;
@@ -24,12 +25,17 @@ internal static class GroupSummaryText
             FlightText.Clock(summary.FlightTime), summary.Coverage * 100));
         MissionScore score = summary.Score!; // the truth of a simulation is known
         output.WriteLine(string.Format(
-            CultureInfo.InvariantCulture, "{0} of {1} targets found, {2} false; {3:0.0} m RMS", score.Found,
-            score.Targets.Count, score.FalseTracks.Count, score.RmseMetres));
+            CultureInfo.InvariantCulture, "{0} of {1} targets found, {2} false{3}", score.Found,
+            score.Targets.Count, score.FalseTracks.Count,
+            score.Found == 0 ? string.Empty : $"; {FlightText.Number(score.RmseMetres, "0.0")} m RMS"));
         foreach (ValidationTask task in summary.Validations)
-            output.WriteLine(Of(task));
+            output.WriteLine(Of(task, summary.PositionOf(task)));
         foreach (FollowTask task in summary.Followings)
-            output.WriteLine(Of(task));
+        {
+            output.WriteLine($"{task.Class}, of a class that moves: found by vehicle "
+                + $"{FlightText.Number((long)task.Finder)}, followed: {summary.DescribeFollowing(task)}");
+        }
+
         foreach (GroupVehicleSummary vehicle in summary.Vehicles)
             output.WriteLine(Of(vehicle));
     }
@@ -40,26 +46,14 @@ internal static class GroupSummaryText
         "vehicles {0} and {1} were {2:0.0} m apart over ground and {3:0.0} m in height at {4}",
         pair.First + 1, pair.Second + 1, pair.HorizontalMetres, pair.VerticalMetres, FlightText.Clock(pair.Time));
 
-    private static string Of(in ValidationTask task)
+    private static string Of(in ValidationTask task, GeodeticPosition position)
     {
         string found = string.Format(
             CultureInfo.InvariantCulture, "{0} at {1:0.000000} {2:0.000000}: found by vehicle {3}, ", task.Class,
-            task.Position.Latitude.Degrees, task.Position.Longitude.Degrees, task.Finder);
+            position.Latitude.Degrees, position.Longitude.Degrees, task.Finder);
         return found + (task.State == ValidationState.Closed
             ? $"by vehicle {FlightText.Number(task.Validator)} {task.Result.ToString().ToLowerInvariant()}"
             : "NOT VALIDATED");
-    }
-
-    private static string Of(in FollowTask task)
-    {
-        string seen = FlightText.Number(task.InView.TotalSeconds, "0") + " s in view";
-        return $"{task.Class} that moves: found by vehicle {FlightText.Number(task.Finder)}, " + (task.Result switch
-        {
-            FollowResult.Followed => $"followed by vehicle {FlightText.Number(task.Follower)}, {seen}",
-            FollowResult.Lost when task.InView > TimeSpan.Zero => $"lost, {seen}",
-            FollowResult.Lost => "NOT FOLLOWED",
-            _ => $"{seen} until the end",
-        });
     }
 
     private static string Of(GroupVehicleSummary vehicle)
@@ -68,10 +62,11 @@ internal static class GroupSummaryText
         RadioUse radio = vehicle.Radio!;
         return string.Format(
             CultureInfo.InvariantCulture,
-            "vehicle {0}: {1}, {2} lanes flown, {3:0} m in {4}, {5:0} % of the battery; radio {6} frames, "
-                + "{7:0.00} kbit/s",
-            vehicle.SystemId, FlightText.Phase(mission.Phase), mission.LanesFlown, mission.FlownMetres,
-            FlightText.Clock(mission.FlightTime), mission.BatteryUsedPercent, radio.FramesSent,
-            radio.KilobitsPerSecond);
+            "vehicle {0}: {1}, {2} flown, {3} m in {4}, {5} % of the battery; radio {6} frames, {7} kbit/s",
+            vehicle.SystemId, FlightText.Phase(mission.Phase),
+            mission.LanesFlown == 1 ? "1 lane" : $"{FlightText.Number((long)mission.LanesFlown)} lanes",
+            FlightText.Number(mission.FlownMetres, "0"), FlightText.Clock(mission.FlightTime),
+            FlightText.Number(mission.BatteryUsedPercent, "0"), radio.FramesSent,
+            FlightText.Number(radio.KilobitsPerSecond, "0.00"));
     }
 }

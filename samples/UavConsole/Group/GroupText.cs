@@ -45,6 +45,7 @@ internal static class GroupText
 
     private static string Lanes(LaneShare share) => share.SystemId == 0 ? "-"
         : share.Count == 0 ? "none"
+        : share.Count == 1 ? FlightText.Number(share.First + 1)
         : FlightText.Number(share.First + 1) + "-" + FlightText.Number(share.First + share.Count);
 
     // "vehicle 1:     5.400000 mission control: ...": the times are all of one width.

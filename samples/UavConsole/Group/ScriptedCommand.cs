@@ -9,7 +9,8 @@ namespace UavConsole;
 /// <param name="Vehicle">The system id of the vehicle; 0 for all.</param>
 /// <param name="Command">What.</param>
 /// <param name="TrackId">Of which track; 0 for none.</param>
-internal sealed record ScriptedCommand(TimeSpan At, byte Vehicle, OperatorCommand Command, int TrackId)
+/// <param name="Text">As it was written.</param>
+internal sealed record ScriptedCommand(TimeSpan At, byte Vehicle, OperatorCommand Command, int TrackId, string Text)
 {
     /// <summary>How one is written.</summary>
     public const string Form = "SECONDS:VEHICLE:COMMAND with the system id of the vehicle or all, and hold, continue, "
@@ -54,7 +55,7 @@ internal sealed record ScriptedCommand(TimeSpan At, byte Vehicle, OperatorComman
         // Each vehicle numbers its tracks itself.
         bool isPossible = isOfTrack ? hasTrack && vehicle != 0 : words.Length == 1;
         return command is { } given && isPossible
-            ? new ScriptedCommand(TimeSpan.FromSeconds(seconds), vehicle, given, track)
+            ? new ScriptedCommand(TimeSpan.FromSeconds(seconds), vehicle, given, track, text)
             : null;
     }
 }

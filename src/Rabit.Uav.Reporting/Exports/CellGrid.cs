@@ -10,6 +10,9 @@ internal sealed class CellGrid(int columns, int rows)
     private readonly bool[] _isFilled = new bool[columns * rows];
     private readonly int[] _patch = new int[columns * rows];   // 0 before the search for patches
 
+    /// <summary>Whether a cell is filled.</summary>
+    public bool IsFilled(int x, int y) => _isFilled[(y * columns) + x];
+
     /// <summary>Fills the cells whose middle is inside a figure; it must be convex.</summary>
     public void Fill((double X, double Y)[] corners)
     {

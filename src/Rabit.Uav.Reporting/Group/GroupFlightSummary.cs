@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Reporting;
@@ -21,6 +22,9 @@ namespace Rabit.Uav.Reporting;
 /// </example>
 public sealed class GroupFlightSummary
 {
+    // Two vehicles locate one target as differently as that, but seldom; two targets of one class are farther apart.
+    internal const double SamePlaceMetres = 10;
+
     /// <summary>Makes a summary.</summary>
     /// <param name="vehicles">The vehicles; they are kept in the order of their system ids.</param>
     /// <exception cref="ArgumentException">There is none.</exception>
@@ -31,14 +35,22 @@ public sealed class GroupFlightSummary
         if (vehicles.Count == 0)
             throw new ArgumentException("A group has at least one vehicle.", nameof(vehicles));
         Vehicles = vehicles.OrderBy(v => v.SystemId).ToArray();
-        Validations = Vehicles
-            .SelectMany(v => v.Flight.Record.Group.Validations.Where(t => t.Finder == v.SystemId))
+        ValidationTask[] announced = Vehicles
+            .SelectMany(v => v.Flight.Record.Group.Validations.Select(t => (Task: t, IsFinder: t.Finder == v.SystemId)))
+            .GroupBy(t => (t.Task.Finder, t.Task.Session, t.Task.Number))
+            .Select(g => g.OrderByDescending(t => t.IsFinder).ThenByDescending(t => t.Task.State)
+                .ThenByDescending(t => t.Task.Award).First().Task)
             .Where(t => t.State != ValidationState.Closed || t.Validator != 0).ToArray();
+        Validations = announced.Where(t => HasResult(t) || !announced.Any(o => HasResult(o) && AreSame(t, o)))
+            .ToArray();
         Followings = Vehicles.SelectMany(v => v.Flight.Record.Group.Followings)
             .GroupBy(t => (t.Finder, t.Session, t.Number))
             .Select(g => g.OrderByDescending(t => t.Result == FollowResult.Followed)
                 .ThenByDescending(t => t.Decision).ThenByDescending(t => t.InView).First())
             .Where(t => t.Result != FollowResult.SameTarget).ToArray();
+        Coverage = Math.Max(
+            Vehicles.Max(v => v.Flight.Record.Mission.Coverage),
+            GroupCoverage.Of(Vehicles.Select(v => v.Flight.Record).ToArray()));
         var searches = new GroupSearches(Vehicles);
         (VehicleFailures, Remarks) = (searches.Failures.ToArray(), searches.Remarks.ToArray());
     }
@@ -47,8 +59,9 @@ public sealed class GroupFlightSummary
     public IReadOnlyList<GroupVehicleSummary> Vehicles { get; }
 
     /// <summary>
-    /// The targets that were to be validated by a second vehicle, as their finders know them; without those that were
-    /// left to the task of another finder.
+    /// The targets that were to be validated by a second vehicle, as their finders know them, of a finder that was lost
+    /// as the others do; without those that were left to the task of another finder, or have no result where the
+    /// task of another finder of the same target has one.
     /// </summary>
     public IReadOnlyList<ValidationTask> Validations { get; }
 
@@ -62,8 +75,11 @@ public sealed class GroupFlightSummary
     public int Confirmed => Validations.Count(
         t => t.State == ValidationState.Closed && t.Result == ValidationResult.Confirmed);
 
-    /// <summary>How much of the area was seen, as the vehicle knows it that knows the most, 0 to 1.</summary>
-    public double Coverage => Vehicles.Max(v => v.Flight.Record.Mission.Coverage);
+    /// <summary>
+    /// How much of the area the pictures of all vehicles show together, 0 to 1; what one vehicle knows where that is
+    /// more: of a long flight not every picture is recorded.
+    /// </summary>
+    public double Coverage { get; }
 
     /// <summary>What was flown, for the title; empty for no name.</summary>
     public string Name { get; init; } = string.Empty;
@@ -104,10 +120,49 @@ public sealed class GroupFlightSummary
     public bool HasPassed => Failures.Count == 0;
 
     /// <summary>
+    /// Where a target is that was to be validated: by the track of the vehicle that knows the most, as the report shows
+    /// it; where that has none, as its finder announced it.
+    /// </summary>
+    /// <param name="task">One of <see cref="Validations"/>.</param>
+    public GeodeticPosition PositionOf(ValidationTask task) => BestInformed.Flight.Record.Tracks.Tracks
+        .Where(t => t.State != TrackState.Tentative && IsOf(t, task))
+        .OrderBy(t => Metres(t.Position, task.Position)).Select(t => (GeodeticPosition?)t.Position).FirstOrDefault()
+        ?? task.Position;
+
+    /// <summary>How a target that moves was followed, in a few words: "by vehicle 2, 31 s in view".</summary>
+    /// <param name="task">One of <see cref="Followings"/>.</param>
+    public string DescribeFollowing(FollowTask task) => FollowText.Of(task, FollowersOf(task));
+
+    /// <summary>
     /// The vehicle whose tracks the report shows: that with the most confirmed ones, of these the lowest system id.
     /// </summary>
     internal GroupVehicleSummary BestInformed => Vehicles
         .FirstOrDefault(v => Score?.Targets.Any(t => t.Track is not null
             && v.Flight.Record.Tracks.Tracks.Contains(t.Track)) == true)
         ?? Vehicles.OrderByDescending(v => v.Flight.Record.Tracks.Confirmed.Count()).First();
+
+    /// <summary>The task of a track; null where it was never announced. Of several one that has a result.</summary>
+    internal ValidationTask? ValidationOf(TargetTrack track) => Validations.Where(t => IsOf(track, t))
+        .OrderByDescending(t => t.State == ValidationState.Closed).ThenBy(t => Metres(track.Position, t.Position))
+        .Select(t => (ValidationTask?)t).FirstOrDefault();
+
+    private static bool HasResult(in ValidationTask task)
+        => task.State == ValidationState.Closed && task.Result != ValidationResult.Unknown;
+
+    private static bool AreSame(in ValidationTask a, in ValidationTask b) => a.Class == b.Class
+        && a.MarkerId == b.MarkerId && Metres(a.Position, b.Position) < SamePlaceMetres;
+
+    private static bool IsOf(TargetTrack track, ValidationTask task) => task.Class == track.Class
+        && task.MarkerId == track.MarkerId && Metres(track.Position, task.Position) < SamePlaceMetres;
+
+    private static double Metres(GeodeticPosition a, GeodeticPosition b)
+        => NedPosition.Origin.HorizontalDistanceTo(LocalNedFrame.IgnoringGeoid(a).ToNed(b));
+
+    // As their own roles say; the task names the last one alone.
+    private byte[] FollowersOf(FollowTask task) => Vehicles
+        .Select(v => (v.SystemId, Since: v.Flight.Record.GroupRoles
+            .Where(r => r.FollowedFinder == task.Finder && r.FollowedNumber == task.Number)
+            .Select(r => (TimeSpan?)(r.Time + v.ClockOffset)).FirstOrDefault()))
+        .Where(v => v.Since is not null).OrderBy(v => v.Since).Select(v => v.SystemId)
+        .Concat(task.Follower == 0 ? [] : [task.Follower]).Distinct().ToArray();
 }

@@ -85,7 +85,8 @@ public sealed class GroupHtmlReport
                 "targets found", $"{N(score.Found)} / {N(score.Targets.Count)}",
                 score.FalseTracks.Count == 0 ? "no false track" : $"{N(score.FalseTracks.Count)} false");
             _shell.Tile(
-                "position error", $"{FlightText.Number(score.RmseMetres, "0.00")} m",
+                "position error",
+                double.IsNaN(score.RmseMetres) ? "none" : $"{FlightText.Number(score.RmseMetres, "0.00")} m",
                 $"RMS; {N(score.InEllipse)} of {N(score.Found)} in their ellipse");
         }
 

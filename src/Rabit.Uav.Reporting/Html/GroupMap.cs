@@ -33,7 +33,9 @@ internal sealed class GroupMap(PageWriter page, GroupFlightSummary data, MapFram
         page.Open("figcaption", "class", "legend");
         for (int i = 0; i < data.Vehicles.Count; i++)
             _parts.WriteKey("key line " + GroupColours.Class(i), GroupColours.Name(data.Vehicles[i].SystemId));
-        _parts.WriteKeys(seen.Length > 0, plan, data.Score is not null);
+        _parts.WriteKeys(
+            seen.Length > 0, plan, data.Score is not null,
+            "lanes of the plan; what a vehicle sees from beside is not flown");
         page.Close().Close();
     }
 

@@ -16,16 +16,16 @@ internal sealed class GroupTables(PageWriter page, GroupFlightSummary data)
     {
         page.Open("section").Element("h2", "Vehicles").Open("div", "class", "card scroll").Open("table");
         page.TableHead(
-            "vehicle", "ended", "#lanes", "#flown m", "#time", "#battery", "#found", "#validated", "#radio kbit/s",
-            "#lost", "report");
+            "vehicle", "ended, by its own position", "#lanes", "#flown m", "#time", "#battery", "#announced", "#validated",
+            "#radio kbit/s", "#lost", "report");
         page.Open("tbody");
         for (int i = 0; i < data.Vehicles.Count; i++)
             WriteVehicle(i);
         page.Close().Close().Close();
         page.Element(
             "p",
-            "Found: targets that it announced for validation. Validated: those of others that it had a result for. "
-                + "Radio: the mean of what it sent, with framing and heartbeat; lost: receptions by others that failed.",
+            "Announced: targets that it asked the others to validate. Validated: those of others that it had a result "
+                + "for. Radio: the mean of what it sent, with framing and heartbeat; lost: receptions by others that failed.",
             "class", "note");
         page.Close();
     }
@@ -35,9 +35,11 @@ internal sealed class GroupTables(PageWriter page, GroupFlightSummary data)
         (TimeSpan Time, int Vehicle, string Text)[] decisions = data.Vehicles
             .SelectMany((v, i) => v.Flight.Events.Where(IsShown).Select(e => (v.ClockOffset + e.Time, i, e.Text)))
             .OrderBy(d => d.Item1).ThenBy(d => d.i).ToArray();
-        page.Open("section").Element("h2", "Decisions of all vehicles");
+        page.Open("section").Element("h2", "Decisions of all vehicles").Element(
+            "p", "Times are seconds since the start of the run; places are those that were known then.", "class",
+            "note");
         page.Open("div", "class", "card scroll").Open("table", "class", "stacked");
-        page.TableHead("#time", "by", "what");
+        page.TableHead("#time, s", "by", "what");
         page.Open("tbody");
         foreach ((TimeSpan time, int vehicle, string text) in decisions.Take(MaxDecisions))
         {

@@ -13,9 +13,6 @@ namespace Rabit.Uav.Reporting.Html;
 /// </summary>
 internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
 {
-    // Two vehicles locate one target as differently as that, but seldom; two targets of one class are farther apart.
-    private const double SamePlaceMetres = 10;
-
     private readonly TrackList _tracks = data.BestInformed.Flight.Record.Tracks;
 
     public void Write()
@@ -25,20 +22,40 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
             return;
         page.Open("section").Element("h2", "Targets, and who validated them").Element(
             "p", $"As {GroupColours.Name(data.BestInformed.SystemId)} knows them, with its numbers; the pictures are "
-                + "those of each vehicle's own camera.", "class", "note");
+                + "those of each vehicle's own camera. Times are minutes and seconds since the start of the run.",
+            "class", "note");
         page.Open("div", "class", "cards");
         foreach (TargetTrack track in shown)
             WriteTarget(track);
         foreach (TargetScore missed in data.Score?.Targets.Where(t => !t.IsFound) ?? [])
             WriteMissed(missed);
-        page.Close().Close();
+        page.Close();
+        WriteOtherFollowings(shown);
+        page.Close();
+    }
+
+    // Of those that only another vehicle has as a track.
+    private void WriteOtherFollowings(TargetTrack[] shown)
+    {
+        FollowTask[] others = data.Followings.Except(shown.SelectMany(FollowingsOf)).ToArray();
+        if (others.Length == 0)
+            return;
+        page.Open("ul", "class", "note");
+        foreach (FollowTask task in others)
+        {
+            page.Element(
+                "li", $"{TargetClassNames.Name(task.Class)} found by {GroupColours.Name(task.Finder)}, none of these "
+                    + $"tracks; followed: {data.DescribeFollowing(task)}");
+        }
+
+        page.Close();
     }
 
     private void WriteTarget(TargetTrack track)
     {
         TargetScore? target = data.Score?.Targets.FirstOrDefault(s => s.Track == track);
         bool isFalse = data.Score?.FalseTracks.Contains(track) == true;
-        ValidationTask? task = TaskOf(track);
+        ValidationTask? task = data.ValidationOf(track);
         (string state, string kind) = isFalse ? ("false", "false") : StateOf(task, track);
         page.OpenTargetCard(kind, FlightText.Number((long)track.Id), track.Class, state);
         WritePictures(track, task);
@@ -56,7 +73,9 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
             "95 % ellipse",
             $"{FlightText.Number(track.Covariance.HalfMajorAxis95Metres, "0.0")} × "
                 + $"{FlightText.Number(track.Covariance.HalfMinorAxis95Metres, "0.0")} m");
-        page.Fact("seen", $"{FlightText.Clock(track.FirstSeen)} to {FlightText.Clock(track.LastSeen)}");
+        TimeSpan offset = data.BestInformed.ClockOffset;
+        page.Fact(
+            "seen", $"{FlightText.Clock(offset + track.FirstSeen)} to {FlightText.Clock(offset + track.LastSeen)}");
         page.Close().Close();
     }
 
@@ -66,16 +85,20 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
         page.Element("p", "No vehicle has a confirmed track of this class within 10 m.", "class", "note").Close();
     }
 
-    // Targets that move are not validated.
+    // Targets of a class that moves are not validated.
     private void WriteFollowing(TargetTrack track)
     {
         FollowTask[] tasks = FollowingsOf(track);
-        page.Fact("followed", tasks.Length == 0 ? "no" : string.Join("; ", tasks.Select(FollowText.Of)));
+        page.Fact("followed", tasks.Length == 0 ? "no" : string.Join("; ", tasks.Select(data.DescribeFollowing)));
     }
 
-    private FollowTask[] FollowingsOf(TargetTrack track) => track.Motion == TargetMotion.Standing
-        ? []
-        : data.Followings.Where(t => t.Class == track.Class && t.MarkerId == track.MarkerId).ToArray();
+    private FollowTask[] FollowingsOf(TargetTrack track)
+    {
+        FollowedTrack[] links = data.BestInformed.Flight.Record.FollowedTracks
+            .Where(l => l.TrackId == track.Id).ToArray();
+        return data.Followings.Where(t => Array.Exists(
+            links, l => (l.Finder, l.Session, l.Number) == (t.Finder, t.Session, t.Number))).ToArray();
+    }
 
     private void WriteValidation(ValidationTask? found, TargetTrack track)
     {
@@ -99,7 +122,8 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
     {
         { State: ValidationState.Closed, Result: ValidationResult.Confirmed } => ("validated", "found"),
         { State: ValidationState.Closed, Result: ValidationResult.Rejected } => ("rejected", "false"),
-        null when FollowingsOf(track).Length > 0 => ("followed", "found"),
+        null when Array.Exists(FollowingsOf(track), t => t.InView > TimeSpan.Zero || t.Result == FollowResult.Followed)
+            => ("followed", "found"),
         null => (track.State == TrackState.Confirmed ? "found" : track.State.ToString().ToLowerInvariant(), "found"),
         _ => ("not validated", "found alone"),
     };
@@ -131,19 +155,10 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
         TargetTrack? own = vehicle.Flight.Record.Tracks.Tracks
             .Where(t => t.Class == track.Class && t.MarkerId == track.MarkerId && t.BestPictureNumber >= 0)
             .Select(t => (Track: t, Metres: Distance(t.Position, track.Position)))
-            .Where(t => t.Metres < SamePlaceMetres)
+            .Where(t => t.Metres < GroupFlightSummary.SamePlaceMetres)
             .OrderBy(t => t.Metres).Select(t => t.Track).FirstOrDefault();
         return own is null ? null : vehicle.Flight.Record.Pictures.FirstOrDefault(
             c => c.PictureNumber == own.BestPictureNumber && c.ReportIndex == own.BestReportIndex);
-    }
-
-    private ValidationTask? TaskOf(TargetTrack track)
-    {
-        ValidationTask[] near = data.Validations
-            .Where(t => t.Class == track.Class && t.MarkerId == track.MarkerId
-                && Distance(t.Position, track.Position) < SamePlaceMetres)
-            .OrderBy(t => Distance(t.Position, track.Position)).ToArray();
-        return near.Length == 0 ? null : near[0];
     }
 
     private static double Distance(GeodeticPosition a, GeodeticPosition b)

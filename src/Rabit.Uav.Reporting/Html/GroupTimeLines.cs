@@ -43,8 +43,9 @@ internal sealed class GroupTimeLines(PageWriter page, GroupFlightSummary data)
         page.Close().Close();
         page.Element(
             "figcaption",
-            "Upper band: the phase of the mission. Lower band: the lanes that are its share, or the target that it "
-                + "validates for another vehicle; the thin line marks who divides the lanes.",
+            "Minutes and seconds since the start of the run. Upper band: the phase of the mission. Lower band: the "
+                + "lanes that are its share, or the target that it validates or follows for the group; the thin line "
+                + "marks who divides the lanes.",
             "class", "readout");
         page.Close().Close();
     }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text;
+using Rabit.Uav.Messages;
 using Rabit.Uav.Reporting.Html;
 
 namespace Rabit.Uav.Reporting;
@@ -141,8 +142,17 @@ public sealed class HtmlReport
             : "of its capacity");
         _shell.Tile(
             "landed", mission.HasLanded ? $"{FlightText.Number(mission.DistanceFromHomeMetres, "0.0")} m" : "no",
-            "from home");
+            LandingNote(mission));
         _page.Close();
+    }
+
+    // What Mission Control says of its last phase goes by its own position.
+    private string LandingNote(MissionSummary mission)
+    {
+        MissionResult result = _summary.Record.Mission.Result;
+        return !mission.HasLanded ? (result.HasFlown ? "it is in the air" : "it did not fly")
+            : mission.Score?.DistanceFromHomeMetres is null ? "from home, by its own position"
+            : $"from home; {FlightText.Number(result.DistanceFromHomeMetres, "0.0")} m by its own position";
     }
 
     // Numbers only: nothing from outside gets into the script.

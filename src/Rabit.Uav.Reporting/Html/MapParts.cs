@@ -124,7 +124,7 @@ internal sealed class MapParts(PageWriter page, MapFrame frame)
     }
 
     /// <summary>What the colours and lines of these parts mean.</summary>
-    public void WriteKeys(bool hasSeenGround, SearchPlan? plan, bool hasTruth)
+    public void WriteKeys(bool hasSeenGround, SearchPlan? plan, bool hasTruth, string lanes = "lanes")
     {
         if (hasSeenGround)
             WriteKey("key seen", "ground seen, darker where seen more often");
@@ -133,7 +133,7 @@ internal sealed class MapParts(PageWriter page, MapFrame frame)
             WriteKey("key edge", "area to search");
             if (plan.Fence.Length > 2)
                 WriteKey("key fence-key", "fence");
-            WriteKey("key lane-key", "lanes");
+            WriteKey("key lane-key", lanes);
         }
 
         WriteKey("key diamond", "track with its 95 % ellipse");

@@ -28,7 +28,9 @@ internal sealed class MissionSummaryText(TextWriter output, FlightSummary summar
             WriteTracks();
         WriteOperatorDecisions();
         WriteFlight();
-        string title = mission.Plan is { } plan ? $"mission {plan.Name}" : "mission not started" + WaitedFor();
+        bool hasFlown = summary.Record.Mission.Result.HasFlown;
+        string title = mission.Plan is { } plan ? $"mission {plan.Name}"
+            : (hasFlown ? "flown without a plan" : "mission not started") + WaitedFor();
         Line($"{title}: {(mission.HasPassed ? "ACCOMPLISHED" : "FAILED")}");
         foreach (string failure in mission.Failures)
             Line("  failed: " + failure);

@@ -44,10 +44,11 @@ namespace Rabit.Uav.Simulation;
 /// </example>
 public sealed class SimulatedGroup
 {
+    // Landing places must be 10 m apart, and satellites say for each that it is somewhere within some metres.
     private const double StartSpacingMetres = 20;
 
     // A mission is flown from within 50 m of where its file says.
-    private const double MaxStartMetres = 45;
+    private const int StartsInARow = 5;
 
     private readonly SimulatedGroupFault[] _faults;
     private readonly SimulatedRadio _radio;
@@ -68,12 +69,12 @@ public sealed class SimulatedGroup
             int number = i;
             TimeSpan on = _faults.Where(f => f.Vehicle == number && f.Kind == SimulatedGroupFaultKind.SwitchedOn)
                 .Select(f => f.At).FirstOrDefault();
-            SimulatedWorld own = world.With(OptionsOf(options, i, StartOf(i, options.Vehicles), world), on);
+            SimulatedWorld own = world.With(OptionsOf(options, i, world), on);
             vehicles.Add(new SimulatedGroupVehicle(
                 own, new VirtualTime(own.Options.Seed, new DateTimeOffset(2000, 1, 1, 0, 0, 0, TimeSpan.Zero) + on),
                 _radio.Add(() => Vehicles![number].Place), on)
             {
-                Start = NedPosition.Origin + new NedVector(0, StartOf(i, options.Vehicles), 0),
+                Start = StartOf(i),
             });
 
             // What is sent to it before is not kept for it.
@@ -175,23 +176,23 @@ public sealed class SimulatedGroup
             vehicle.Result = reactor.Finish();
     }
 
-    // To the east and to the west in turn, so that all are near the home of the mission.
-    private static double StartOf(int vehicle, int vehicles)
+    // To the east and to the west in turn, in rows of which each is to the south of the one before it.
+    private static NedPosition StartOf(int vehicle)
     {
-        int farthest = vehicles / 2;
-        double spacing = Math.Min(StartSpacingMetres, MaxStartMetres / Math.Max(1, farthest));
-        return spacing * ((vehicle + 1) / 2) * (vehicle % 2 == 1 ? 1 : -1);
+        int place = vehicle % StartsInARow;
+        return new NedPosition(
+            -StartSpacingMetres * (vehicle / StartsInARow),
+            StartSpacingMetres * ((place + 1) / 2) * (place % 2 == 1 ? 1 : -1), 0);
     }
 
-    private static SimulationOptions OptionsOf(
-        SimulatedGroupOptions options, int vehicle, double eastMetres, SimulatedWorld world)
+    private static SimulationOptions OptionsOf(SimulatedGroupOptions options, int vehicle, SimulatedWorld world)
     {
         SimulationOptions own = options.World.Copy();
         own.SystemId = (byte)(vehicle + 1);
         if (options.Faults.Any(f => f.Vehicle == vehicle && f.Kind == SimulatedGroupFaultKind.SameSystemId))
             own.SystemId = (byte)(vehicle == 0 ? 2 : vehicle);
         own.Seed = vehicle == 0 ? options.World.Seed : SeedOf(options.World.Seed, vehicle);
-        own.Home = world.PositionOf(new NedPosition(0, eastMetres, 0));
+        own.Home = world.PositionOf(StartOf(vehicle));
         if (options.VehicleFaults.TryGetValue(vehicle, out IReadOnlyList<ScriptedFault>? more))
             own.Faults = [.. options.World.Faults, .. more];
         return own;

@@ -24,7 +24,7 @@ public sealed class SimulatedGroupOptions
 
     /// <summary>
     /// The world and its first vehicle. The others stand beside it, 20 m from one to the next, more than five of them
-    /// nearer; errors of their sensors, clocks and batteries are their own.
+    /// in a second row; errors of their sensors, clocks and batteries are their own.
     /// </summary>
     public SimulationOptions World { get; set; } = new();
 

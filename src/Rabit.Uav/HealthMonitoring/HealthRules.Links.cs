@@ -40,7 +40,8 @@ internal static partial class HealthRules
             When = static (in LinkFacts l, HealthOptions _) => l.HasDroppedRecently,
             Figure = static (in LinkFacts l) => l.FramesDropped,
             Text = static f => $"link {f.Subject} dropped frames ({f.Figure} so far)",
-            Condition = static _ => "frames were dropped because a queue was full",
+            Condition = static _ => "frames were dropped because a queue was full; not what was to go out over a link "
+                + "that is silent, which LinkSilent says",
             End = static o => $"{Seconds(o.RecentWindow)} without another",
             Why = "nothing is lost in silence",
         },

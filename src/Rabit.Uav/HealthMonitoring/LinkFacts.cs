@@ -19,9 +19,7 @@ internal readonly struct LinkFacts(
     /// <summary>Whether it is a recorded log, which may end.</summary>
     public bool IsRecorded { get; } = !double.IsNaN(status.Progress);
 
-    /// <summary>
-    /// Frames dropped for want of room in either direction since the first frame was received on the link.
-    /// </summary>
+    /// <summary>Frames dropped for want of room in either direction while the link had a peer.</summary>
     public long FramesDropped { get; } = framesDropped;
 
     public bool HasDroppedRecently { get; } = hasDroppedRecently;

@@ -12,7 +12,8 @@ internal sealed class LinkWatch(int number, MessageSubscriber<LinkStatus> status
     private readonly WindowedIncrease _dropped = new();
     private readonly WindowedIncrease _rejected = new();
     private readonly WindowedIncrease _conflicts = new();
-    private long _droppedBeforeFirstFrame;
+    private long _droppedOut;
+    private long _droppedWithoutPeer;
 
     /// <summary>What its rules keep between two evaluations.</summary>
     public HealthRuleSet<LinkFacts> Rules { get; } = new(HealthRules.OfLinks);
@@ -30,10 +31,13 @@ internal sealed class LinkWatch(int number, MessageSubscriber<LinkStatus> status
         status.Fetch();
         ref readonly LinkStatus value = ref status.Value;
 
-        // Until a link has received its first frame it has no peer that could lose what is sent.
-        if (value.State == LinkState.Waiting || (value.State == LinkState.Opening && value.LastFrameTime is null))
-            _droppedBeforeFirstFrame = value.FramesDroppedOut;
-        long dropped = value.FramesDroppedIn + value.FramesDroppedOut - _droppedBeforeFirstFrame;
+        // Before its first frame, and once it is silent, a link has no peer that could lose what is sent.
+        bool hasNoPeer = value.State is LinkState.Waiting or LinkState.Silent
+            || (value.State == LinkState.Opening && value.LastFrameTime is null);
+        if (hasNoPeer)
+            _droppedWithoutPeer += value.FramesDroppedOut - _droppedOut;
+        _droppedOut = value.FramesDroppedOut;
+        long dropped = value.FramesDroppedIn + value.FramesDroppedOut - _droppedWithoutPeer;
         bool drops = _dropped.Update(dropped, now, options.RecentWindow);
         bool rejects = _rejected.Update(value.Signatures.Rejected, now, options.RecentWindow);
         bool conflicts = _conflicts.Update(value.AddressConflicts, now, options.RecentWindow);

@@ -193,8 +193,8 @@ public sealed class MissionControlOptions
             yield return $"{nameof(ProgressFile)} is empty";
         if (Resume is not null && Mission is null)
             yield return $"{nameof(Resume)} is there without a {nameof(Mission)}";
-        foreach (string fault in Mission is null ? [] : MissionPlanRules.FindFaults(InLayer(Mission)!))
-            yield return $"{nameof(Mission)}: {fault}";
+        foreach (string fault in FaultsOfMission())
+            yield return nameof(Mission) + fault;
         foreach (string fault in Resume is null || Mission is not { Area.IsDefault: false }
             ? [] : MissionPlanRules.FindFaults(Resume.Changes.ApplyTo(Mission)).Take(1))
             yield return $"{nameof(Resume)} has changes of the mission that cannot be flown: {fault}";
@@ -206,4 +206,8 @@ public sealed class MissionControlOptions
                 : $"{nameof(Resume)} is the progress of mission '{Resume.MissionName}', not of '{Mission.Name}'";
         }
     }
+
+    private IEnumerable<string> FaultsOfMission() => Mission is null ? []
+        : Group is { HeightLayer: > 0 } group ? HeightLayers.FindFaults(Mission, group)
+        : MissionPlanRules.FindFaults(Mission).Select(f => ": " + f);
 }

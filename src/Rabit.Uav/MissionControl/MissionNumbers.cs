@@ -1,5 +1,6 @@
 using System;
 using System.Globalization;
+using Rabit.Geodesy;
 
 namespace Rabit.Uav.MissionControl;
 
@@ -14,6 +15,11 @@ internal static class MissionNumbers
     public static string Percent(double fraction) => Of(100 * fraction) + " %";
 
     public static string Of(PlanePoint p) => "N " + Of(p.North) + " E " + Of(p.East);
+
+    /// <summary>Latitude and longitude in degrees, to a centimetre.</summary>
+    public static string Of(GeodeticPosition p)
+        => p.Latitude.Degrees.ToString("0.0000000", CultureInfo.InvariantCulture) + ", "
+            + p.Longitude.Degrees.ToString("0.0000000", CultureInfo.InvariantCulture);
 
     public static string Seconds(TimeSpan time) => Of(time.TotalSeconds) + " s";
 }

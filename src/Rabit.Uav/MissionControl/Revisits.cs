@@ -47,11 +47,16 @@ internal sealed class Revisits
             if (track.State == TrackState.Confirmed && _known.Add(track.Id))
             {
                 flight.Log($"track {MissionNumbers.Of(track.Id)} confirmed: {Name(track)} at "
-                    + $"{MissionNumbers.Of(PositionOf(track, flight))}, "
+                    + $"{PlaceText(track, flight)}, "
                     + $"95 % within {MissionNumbers.Of(track.Covariance.HalfMajorAxis95Metres)} m");
             }
         }
     }
+
+    // Of a group each vehicle has another home.
+    private static string PlaceText(TargetTrack track, MissionFlight flight) => flight.Group is null
+        ? MissionNumbers.Of(PositionOf(track, flight))
+        : MissionNumbers.Of(track.Position);
 
     /// <summary>
     /// The nearest target that is to be revisited now; null when there is none. Between two lanes that is each that no

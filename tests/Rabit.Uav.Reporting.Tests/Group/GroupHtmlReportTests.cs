@@ -98,7 +98,7 @@ public sealed class GroupHtmlReportTests
         var task = new FollowTask
         {
             Finder = 1,
-            Class = wasFollowed ? track.Class : DefaultTargetClasses.Blue,
+            Class = track.Class,
             Follower = 2,
             State = FollowState.Closed,
             Result = FollowResult.Followed,
@@ -107,11 +107,113 @@ public sealed class GroupHtmlReportTests
         {
             Tracks = new TrackList(TimeSpan.Zero, [track]),
             Group = new GroupStatus { Followings = [task] },
+            FollowedTracks = wasFollowed ? [new FollowedTrack(1, 0, 0, track.Id)] : [],
         };
 
         XDocument page = Page(new GroupFlightSummary([new GroupVehicleSummary(1, new FlightSummary(record))]));
 
         Assert.Equal(state, Assert.Single(page.Descendants(Html + "b"), b => ClassOf(b) == "state").Value);
+        Assert.Equal(
+            !wasFollowed, page.Descendants(Html + "li").Any(
+                l => l.Value == "red found by vehicle 1, none of these tracks; followed: by vehicle 2, 0 s in view"));
+    }
+
+    // Two of one class: each card has its own task.
+    [Fact]
+    public void Write_TwoTargetsOfOneClassThatMove_EachIsSaidToBeFollowedAsItWas()
+    {
+        TargetTrack[] tracks =
+        [
+            .. new[] { 1, 2 }.Select(id => new TargetTrack
+            {
+                Id = id,
+                State = TrackState.Lost,
+                Class = DefaultTargetClasses.Red,
+                Motion = TargetMotion.Walking,
+                Position = GeodeticPosition.FromDegrees(47, 8 + (id / 1000.0), 0),
+            }),
+        ];
+        var followed = new FollowTask
+        {
+            Finder = 1,
+            Number = 1,
+            Class = tracks[0].Class,
+            Follower = 2,
+            State = FollowState.Closed,
+            Result = FollowResult.Followed,
+            InView = TimeSpan.FromSeconds(60),
+        };
+        FollowTask lost = followed with { Number = 2, Result = FollowResult.Lost, InView = TimeSpan.Zero };
+        var record = new FlightRecord
+        {
+            Tracks = new TrackList(TimeSpan.Zero, tracks),
+            Group = new GroupStatus { Followings = [followed, lost] },
+            FollowedTracks = [new FollowedTrack(1, 0, 1, 1), new FollowedTrack(1, 0, 2, 2)],
+        };
+
+        XDocument page = Page(new GroupFlightSummary([new GroupVehicleSummary(1, new FlightSummary(record))]));
+
+        Assert.Equal(
+            ["by vehicle 2, 60 s in view", "no: by vehicle 2, which did not find it"],
+            page.Descendants(Html + "dt").Where(t => t.Value == "followed")
+                .Select(t => ((XElement)t.NextNode!).Value));
+        Assert.Equal(
+            ["followed", "lost"], page.Descendants(Html + "b").Where(b => ClassOf(b) == "state").Select(b => b.Value));
+    }
+
+    [Fact]
+    public void DescribeFollowing_Lost_SaysWhoFollowedBeforeThat()
+    {
+        var lost = new FollowTask
+        {
+            Finder = 1,
+            Number = 3,
+            State = FollowState.Closed,
+            Result = FollowResult.Lost,
+            InView = TimeSpan.FromSeconds(20),
+        };
+        GroupRole follows = new() { Time = TimeSpan.FromSeconds(9), FollowedFinder = 1, FollowedNumber = 3 };
+        var group = new GroupFlightSummary(
+            [Vehicle(1, default, [follows]), Vehicle(3, default, [follows with { Time = TimeSpan.Zero }])]);
+
+        Assert.Equal("by vehicles 3, 1, 20 s in view, then lost", group.DescribeFollowing(lost));
+        Assert.Equal("no: no vehicle could", group.DescribeFollowing(lost with { Number = 4, InView = TimeSpan.Zero }));
+    }
+
+    [Fact]
+    public void Write_NothingFound_HasNoFigureThatIsNone()
+    {
+        var group = new GroupFlightSummary([Vehicle(1, default, [])]) { Score = new MissionScore() };
+
+        Assert.DoesNotContain("NaN", Words(Page(group)));
+        Assert.Single(Page(group).Descendants(Html + "b"), b => b.Value == "none");
+    }
+
+    // Where two vehicles announced it, one has no validator.
+    [Fact]
+    public void Write_AnnouncedByTwoAndConfirmed_IsValidated()
+    {
+        ValidationTask open = TaskOf(ValidationState.Open);
+        var far = LocalNedFrame.IgnoringGeoid(open.Position).ToGeodetic(new NedPosition(2, 0, 0));
+        ValidationTask confirmed = TaskOf(ValidationState.Closed) with { Number = 2, Position = far };
+
+        GroupFlightSummary group = Group(ValidationState.Open, more: confirmed);
+        XDocument page = Page(group);
+
+        Assert.Equal(2, Assert.Single(group.Validations).Number);
+        Assert.Single(page.Descendants(Html + "dd"), d => d.Value == "vehicle 2: confirmed");
+        Assert.DoesNotContain(page.Descendants(Html + "dd"), d => d.Value.StartsWith("none: ", Ordinal));
+    }
+
+    [Fact]
+    public void GroupFlightSummary_FinderThatWasLost_HasItsTasksFromTheOthers()
+    {
+        ValidationTask task = TaskOf(ValidationState.Closed);
+        var group = new GroupFlightSummary(
+            [Vehicle(2, new GroupStatus { Validations = [task with { State = ValidationState.Awarded }] }, []),
+                Vehicle(3, new GroupStatus { Validations = [task] }, [])]);
+
+        Assert.Equal(ValidationState.Closed, Assert.Single(group.Validations).State);
     }
 
     [Fact]
@@ -134,7 +236,7 @@ public sealed class GroupHtmlReportTests
                 Vehicle(2, new GroupStatus { Followings = [over] }, [])]);
 
         Assert.Equal(FollowResult.Followed, Assert.Single(group.Followings).Result);
-        Assert.Equal("by vehicle 2, 0 s in view", FollowText.Of(over));
+        Assert.Equal("by vehicle 2, 0 s in view", FollowText.Of(over, [2]));
     }
 
     [Fact]

@@ -167,6 +167,17 @@ public sealed class MissionSummaryTests
     }
 
     [Fact]
+    public void Text_OnlyBroughtDown_DoesNotSayThatItWasNotStarted()
+    {
+        var record = new FlightRecord { Mission = new MissionStatus { Text = "landed", Result = Home } };
+
+        using var written = new StringWriter();
+        SummaryText.Write(written, new FlightSummary(record) { Mission = Of(record) });
+
+        Assert.Contains("flown without a plan (landed): ", written.ToString(), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Failures_OutsideTheFence_SaysHowFar()
         => Assert.Equal(
             "it was 4.0 m outside the fence",

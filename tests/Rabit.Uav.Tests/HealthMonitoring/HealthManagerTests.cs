@@ -84,6 +84,30 @@ public class HealthManagerTests
         Assert.Equal(HealthReasons.FramesDropped, rig.Report.Reasons & HealthReasons.FramesDropped);
     }
 
+    // Where the peers of a UDP link are gone, all that is sent is dropped, for as long as they are.
+    [Fact]
+    public void Report_FramesToALinkWhosePeersAreGone_AreNoLossAndThoseToANewPeerAre()
+    {
+        using var rig = new HealthRig();
+        rig.Fly(2);
+        for (int i = 1; i <= 12; i++)
+        {
+            rig.PostLink(LinkState.Silent, droppedOut: i);
+            rig.PostVehicle();
+            rig.Run(1);
+            Assert.Equal(HealthReasons.LinkSilent, rig.Report.Reasons);
+        }
+
+        rig.PostLink(LinkState.Receiving, droppedOut: 12);
+        rig.Run(0.3);
+        Assert.Equal(HealthReasons.None, rig.Report.Reasons);
+
+        rig.PostLink(LinkState.Receiving, droppedOut: 15);
+        rig.Run(0.3);
+        Assert.Equal(HealthReasons.FramesDropped, rig.Report.Reasons);
+        Assert.Contains("3 so far", rig.Report.Text!, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Report_FramesDropped_IsReportedForAWhile()
     {

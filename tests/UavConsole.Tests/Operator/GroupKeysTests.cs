@@ -50,7 +50,8 @@ public sealed class GroupKeysTests
     [InlineData("90:255:confirm=12", 90, 255, OperatorCommand.Confirm, 12)]
     public void TryParse_Command_IsRead(string text, double at, byte vehicle, OperatorCommand command, int track)
         => Assert.Equal(
-            new ScriptedCommand(TimeSpan.FromSeconds(at), vehicle, command, track), ScriptedCommand.TryParse(text));
+            new ScriptedCommand(TimeSpan.FromSeconds(at), vehicle, command, track, text),
+            ScriptedCommand.TryParse(text));
 
     [Theory]
     [InlineData("")]
