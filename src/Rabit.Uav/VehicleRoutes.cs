@@ -44,7 +44,8 @@ internal static class VehicleRoutes
         new VehicleMessageRoute<GroupReport>(
             new GroupReportCodec(), MessageNames.OutgoingGroupReports, MessageNames.GroupReports)
         {
-            Class = VehicleMessageClass.State,
+            // By it vehicles keep apart: it does not wait for what is agreed on, of which there may be much.
+            Class = VehicleMessageClass.Command,
             Lifetime = TimeSpan.FromSeconds(2),
         },
         new VehicleMessageRoute<LaneDivision>(

@@ -33,7 +33,7 @@ internal static class MissionTransitions
         (Returning, OverHome) => HandedOver,
         (TakingOff, AtHeight) => InTransit,
         (InTransit, AtArea) => Searching,
-        (Searching, TargetFound) => Revisiting,
+        (InTransit or Searching, TargetFound) => Revisiting,
         (Revisiting, Revisited) => Searching,
         (Searching, Searched) => Returning,
         (Returning, Descending) => Landing,

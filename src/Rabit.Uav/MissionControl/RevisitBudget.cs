@@ -31,11 +31,19 @@ internal sealed class RevisitBudget
     /// <summary>How much of it is used.</summary>
     public double UsedMetres { get; private set; }
 
-    /// <summary>Whether there is way and time for one more.</summary>
+    /// <summary>Why there is no way or time for one more, as text; null where there is.</summary>
     /// <param name="detourMetres">What it takes.</param>
-    public bool Allows(double detourMetres)
-        => UsedMetres + detourMetres <= LimitMetres
-            && _time <= TimeSpan.FromSeconds(LimitMetres / _speed) + TimeSpan.FromTicks(TimeOfRevisit.Ticks * _count);
+    public string? FindFault(double detourMetres)
+    {
+        TimeSpan limit = TimeSpan.FromSeconds(LimitMetres / _speed) + TimeSpan.FromTicks(TimeOfRevisit.Ticks * _count);
+        return UsedMetres + detourMetres > LimitMetres
+            ? $"would take {MissionNumbers.Of(detourMetres)} m more; of the {MissionNumbers.Of(LimitMetres)} m for "
+                + $"revisits {MissionNumbers.Of(UsedMetres)} m are used"
+            : _time > limit
+                ? $"would take more time; revisits have taken {MissionNumbers.Seconds(_time)} of "
+                    + MissionNumbers.Seconds(limit)
+            : null;
+    }
 
     /// <summary>Takes the way of one.</summary>
     public void TakeWay(double detourMetres)

@@ -155,11 +155,10 @@ internal sealed class Revisits
         PlanePoint here = flight.Position;
         PlanePoint next = isOnLane ? here : flight.Route?.Current?.Start ?? here;
         double detour = Detour(here, PositionOf(track, flight), next);
-        if (!budget.Allows(detour))
+        if (budget.FindFault(detour) is { } fault)
         {
             LeftOut++;
-            return $"would take {MissionNumbers.Of(detour)} m more; of the {MissionNumbers.Of(budget.LimitMetres)} m "
-                + $"for revisits {MissionNumbers.Of(budget.UsedMetres)} m are used";
+            return fault;
         }
 
         _charged = track.Id;
@@ -182,11 +181,17 @@ internal sealed class Revisits
             Failed++;
     }
 
-    /// <summary>Whether there is way and time to follow a target for the group.</summary>
+    /// <summary>
+    /// Why there is no way or time to follow a target for the group, as text; null where there is. Where all is seen
+    /// nothing is kept from being searched: then only the energy limits it.
+    /// </summary>
     /// <param name="flight">The state of the mission; with a plan.</param>
     /// <param name="place">Where it is.</param>
-    public bool AllowsFollowing(MissionFlight flight, PlanePoint place)
-        => BudgetOf(flight).Allows(2 * flight.Position.DistanceTo(place));
+    public string? WhyNotFollowed(MissionFlight flight, PlanePoint place)
+    {
+        bool isSearched = flight.Route?.Current is null && flight.Route?.Coverage.Fraction >= flight.CoverageGoal;
+        return isSearched ? null : BudgetOf(flight).FindFault(2 * flight.Position.DistanceTo(place));
+    }
 
     /// <summary>Begins to follow a target for the group.</summary>
     public void BeginFollowing(MissionFlight flight, PlanePoint place)

@@ -61,6 +61,9 @@ internal sealed class FusedTrack
     /// <summary>Altitude of the ground it stands on, as the newest report says.</summary>
     public double Down { get; private set; }
 
+    /// <summary>Whether more than one vehicle has reported it.</summary>
+    public bool HasSeveralSources => OnlySource is null;
+
     /// <summary>The vehicle that all reports are of; null when several have reported it.</summary>
     private byte? OnlySource { get; set; }
 

@@ -115,7 +115,8 @@ internal sealed class TrackMerger
         isSecondKept = b.Reports > a.Reports;
         (FusedTrack kept, FusedTrack other) = isSecondKept ? (b, a) : (a, b);
         if (a.Class == b.Class || a.Decision != TargetDecision.None || b.Decision != TargetDecision.None
-            || other.MarkerId is not null || !IsWithin(a, b, MaxMetresToPart) || !AreAtOnePlace(a, b))
+            || other.MarkerId is not null || other.HasSeveralSources
+            || !IsWithin(a, b, MaxMetresToPart) || !AreAtOnePlace(a, b))
             return false;
         int together = CountTogether(a, b, observation);
         int turns = CountTurns(other, kept, observation);

@@ -238,20 +238,31 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
     [InlineData("the first not seen again")]
     [InlineData("seen nearly as often")]
     [InlineData("another vehicle sees it")]
+    [InlineData("another vehicle sees it too")]
+    [InlineData("two metres apart")]
+    [InlineData("its marker was read")]
+    [InlineData("the operator confirmed it")]
     public void Tracks_TwoClassesThatMayBeTwoTargets_BothStay(string what)
     {
         using var rig = new FusionRig();
-        TargetReport other = Report(0.5, 0, DefaultTargetClasses.Blue);
+        TargetReport other = Report(what == "two metres apart" ? 2 : 0.5, 0, DefaultTargetClasses.Blue) with
+        {
+            MarkerId = what == "its marker was read" ? 7 : null,
+        };
         for (int i = 0; i < (what == "seen nearly as often" ? 3 : 15); i++)
             rig.Observe(0, 0, Report(0, 0));
         if (what == "seen together once")
             rig.Observe(0, 0, Report(0, 0), other);
+        if (what == "another vehicle sees it too")
+            rig.Push(other with { SourceSystemId = 2, PictureNumber = 9, Time = rig.Now });
         for (int i = 0; i < 4; i++)
         {
             if (what == "another vehicle sees it")
                 rig.Push(other with { SourceSystemId = 2, PictureNumber = i, Time = rig.Now });
             else
                 rig.Observe(0, 0, other);
+            if (i == 0 && what == "the operator confirmed it")
+                rig.Decide(rig.Tracks.Single(t => t.Class == other.Class).Id, TargetDecision.Confirmed);
             if (what is not ("the first not seen again" or "at the border of the picture"))
                 rig.Observe(0, 0, Report(0, 0));
         }

@@ -20,8 +20,10 @@ internal sealed class FollowBook(ushort session, IFollowSender sender, Action<st
     /// <summary>A target that no vehicle has seen for longer is given up, if it was not before.</summary>
     public static readonly TimeSpan MaxUnseen = TimeSpan.FromSeconds(90);
 
-    // After a partition it is known everywhere within 3 s who follows, also where 40 % is lost.
+    // After a partition it is known everywhere within 3 s who follows, also where 40 % is lost. Of many tasks each is
+    // repeated less often, so that the radio is not filled.
     private static readonly TimeSpan Repeat = TimeSpan.FromSeconds(0.5);
+    private static readonly TimeSpan RepeatOfEach = TimeSpan.FromSeconds(0.25);
 
     // To one that knows something older; several times, since that one does not answer.
     private const int AskedTimes = 3;
@@ -30,10 +32,13 @@ internal sealed class FollowBook(ushort session, IFollowSender sender, Action<st
 
     private static readonly TimeSpan BidTime = TimeSpan.FromSeconds(2);
     private static readonly TimeSpan MaxSilence = TimeSpan.FromSeconds(6);
-    private static readonly TimeSpan ClosedRepeats = TimeSpan.FromSeconds(4);
+    private const int MissedRepeats = 6;
+    private const int ClosedRepeats = 8;
 
     private readonly SortedDictionary<(byte Finder, ushort Session, ushort Number), FollowEntry> _entries = [];
     private ushort _announced;
+    private TimeSpan _repeat = Repeat;
+    private TimeSpan _maxSilence = MaxSilence;
 
     /// <summary>States and bids that were refused: older ones, or of more tasks than are kept.</summary>
     public long Refused { get; private set; }
@@ -126,6 +131,7 @@ internal sealed class FollowBook(ushort session, IFollowSender sender, Action<st
         byte own, bool isAble, IReadOnlyCollection<byte> present, Func<FollowEntry, double?> secondsTo,
         bool isSearchFirst, TimeSpan now)
     {
+        AdaptRepeat(own);
         foreach (FollowEntry entry in _entries.Values)
         {
             if (!entry.IsOver)
@@ -144,6 +150,17 @@ internal sealed class FollowBook(ushort session, IFollowSender sender, Action<st
     public static string Name(in FollowTask task)
         => $"moving target {MissionNumbers.Of(task.Number)} of vehicle {MissionNumbers.Of(task.Finder)}";
 
+    // How many another vehicle has to repeat is not known; they are no more than all that are not over.
+    private void AdaptRepeat(byte own)
+    {
+        int pending = _entries.Values.Count(e => !e.IsOver);
+        int ours = _entries.Values.Count(e => !e.IsOver && e.IsSaidBy(own));
+        _repeat = Longer(Repeat, TimeSpan.FromTicks(RepeatOfEach.Ticks * ours));
+        _maxSilence = Longer(MaxSilence, TimeSpan.FromTicks(RepeatOfEach.Ticks * pending * MissedRepeats));
+    }
+
+    private static TimeSpan Longer(TimeSpan left, TimeSpan right) => left > right ? left : right;
+
     private void Wait(FollowEntry entry, bool isSearchFirst, TimeSpan now)
     {
         if (!isSearchFirst || entry.Task.State != FollowState.Open || entry.Task.Follower != 0)
@@ -160,9 +177,9 @@ internal sealed class FollowBook(ushort session, IFollowSender sender, Action<st
         // The one with the lowest system id; the others, where it does not know of the task.
         int before = present.Count(p => p < own);
         bool isSilent = !entry.IsSaidBy(own)
-            && now - entry.LastReceived > TimeSpan.FromTicks(MaxSilence.Ticks * (before + 1));
+            && now - entry.LastReceived > TimeSpan.FromTicks(_maxSilence.Ticks * (before + 1));
         bool isUnanswered = entry.Task.State == FollowState.Awarded && !entry.HasFollowerSpoken
-            && entry.Task.Decider == own && now - entry.Decided > MaxSilence;
+            && entry.Task.Decider == own && now - entry.Decided > _maxSilence;
         if ((isSilent && isAble) || isUnanswered)
         {
             log($"{Name(entry.Task)}: vehicle {MissionNumbers.Of(entry.Task.Follower)} is not received; another one is "
@@ -197,7 +214,8 @@ internal sealed class FollowBook(ushort session, IFollowSender sender, Action<st
         double least = double.PositiveInfinity;
         foreach (KeyValuePair<byte, double> bid in entry.Bids.OrderBy(b => b.Key))
         {
-            if ((bid.Key == own || present.Contains(bid.Key)) && bid.Value < least)
+            bool isFree = (bid.Key == own || present.Contains(bid.Key)) && !IsAwardedAnother(bid.Key, entry);
+            if (isFree && bid.Value < least)
                 (best, least) = (bid.Key, bid.Value);
         }
 
@@ -211,15 +229,19 @@ internal sealed class FollowBook(ushort session, IFollowSender sender, Action<st
             + $"{MissionNumbers.Of(least)} s");
     }
 
+    // Its bid is from before that.
+    private bool IsAwardedAnother(byte systemId, FollowEntry entry) => _entries.Values.Any(
+        e => e != entry && e.Task.State == FollowState.Awarded && e.Task.Follower == systemId);
+
     private void Say(FollowEntry entry, TimeSpan now)
     {
         entry.LastReceived = now;
-        bool isQuiet = entry.IsOver && now - entry.Decided > ClosedRepeats;
+        bool isQuiet = entry.IsOver && now - entry.Decided > TimeSpan.FromTicks(_repeat.Ticks * ClosedRepeats);
         bool isDue = entry.Asked > 0 ? now >= entry.SentAt + AskedRepeat : now >= entry.SendAt && !isQuiet;
         if (!isDue)
             return;
         sender.Send(entry.Task);
-        (entry.SentAt, entry.SendAt) = (now, now + Repeat);
+        (entry.SentAt, entry.SendAt) = (now, now + _repeat);
         entry.Asked = Math.Max(0, entry.Asked - 1);
     }
 

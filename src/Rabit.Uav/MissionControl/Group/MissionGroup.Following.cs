@@ -24,6 +24,9 @@ internal sealed partial class MissionGroup
     // Others divide again when we are back; until then no lane is begun.
     private static readonly TimeSpan MaxShareWait = TimeSpan.FromSeconds(5);
 
+    // Tasks of which it was logged.
+    private readonly HashSet<(byte Finder, ushort Session, ushort Number)> _overBudget = [];
+
     private FollowBook? _following;
     private FollowLinks? _links;
     private TimeSpan? _ownReport;
@@ -34,7 +37,7 @@ internal sealed partial class MissionGroup
 
     public void Receive(MissionFlight flight, in Envelope<FollowTask> envelope)
     {
-        if (flight.Plan is null || SystemId == 0)
+        if (SystemId == 0)
             return;
         TimeSpan sent = envelope.SentTime < flight.Now ? envelope.SentTime : flight.Now;
         _following?.Receive(
@@ -59,9 +62,7 @@ internal sealed partial class MissionGroup
     /// <returns>Which, as text; null where there is none.</returns>
     public string? NextFollow(MissionFlight flight)
     {
-        FollowEntry? next = CurrentFollow is not null ? null : _following?.Entries.FirstOrDefault(
-            e => e.Task.State == FollowState.Awarded && e.Task.Follower == SystemId);
-        if (next is null)
+        if (CurrentFollow is not null || NextEntry is not { } next)
             return null;
         CurrentFollow = new FollowedTask(next, this);
         _ownReport = null;
@@ -130,6 +131,27 @@ internal sealed partial class MissionGroup
         => flight.Now - _followEnded < MaxShareWait && _members.Present(flight.Now).Any()
             && _division.ShareOf(SystemId).SystemId == 0;
 
+    // What was awarded to us first, and is not over; also what we follow.
+    private FollowEntry? NextEntry
+    {
+        get
+        {
+            FollowEntry? next = null;
+            foreach (FollowEntry entry in _following?.Entries ?? [])
+            {
+                bool isOurs = entry.Task.State == FollowState.Awarded && entry.Task.Follower == SystemId;
+                if (isOurs && (next is null || entry.Decided < next.Decided))
+                    next = entry;
+            }
+
+            return next;
+        }
+    }
+
+    // What is followed may be handed over to us. What has no follower is waited for only if we can be the one.
+    private bool IsFollowingPending(MissionFlight flight) => _following?.Entries.Any(
+        e => !e.IsOver && (e.Task.Follower != 0 || SecondsTo(flight, e) is not null)) == true;
+
     private void TakeOwnReports(MissionFlight flight, in CameraObservation observation)
     {
         if (CurrentFollow is not { Entry.Task: var task })
@@ -159,7 +181,7 @@ internal sealed partial class MissionGroup
         {
             // What we cannot follow, since we leave or follow another one, is for others.
             bool isOurs = entry.Task.State == FollowState.Awarded && entry.Task.Follower == SystemId;
-            bool isPossible = _own.State == GroupMemberState.Available && CurrentFollow is null;
+            bool isPossible = _own.State == GroupMemberState.Available && CurrentFollow is null && entry == NextEntry;
             if (isOurs && entry != CurrentFollow?.Entry && !isPossible)
                 entry.GiveBack(SystemId, flight.Now);
         }
@@ -183,7 +205,9 @@ internal sealed partial class MissionGroup
             return isKept ? 0 : null;
         }
 
-        if (_own.State != GroupMemberState.Available || !flight.IsFlying || flight.IsFixedWing
+        if (NextEntry is { } next && next != entry)
+            return null;
+        if (_own.State != GroupMemberState.Available || !flight.IsFlying || flight.IsFixedWing || flight.Plan is null
             || MustSearch(flight.Now))
             return null;
         PlanePoint place = PlaceOf(entry, flight);
@@ -193,8 +217,16 @@ internal sealed partial class MissionGroup
         double then = entry.Task.Follower == 0 ? MinFollowSeconds : MinReliefSeconds;
         EnergyStatus energy = flight.Energy.Status;
         bool isEnough = !energy.IsKnown || energy.TimeToReturn.TotalSeconds > seconds + then + ReserveSeconds;
-        return isEnough && flight.Revisits.AllowsFollowing(flight, place) && RevisitPass.Plan(flight, place) is not null
+        return isEnough && IsWithinBudget(flight, entry, place) && RevisitPass.Plan(flight, place) is not null
             ? seconds
             : null;
+    }
+
+    private bool IsWithinBudget(MissionFlight flight, FollowEntry entry, PlanePoint place)
+    {
+        string? why = flight.Revisits.WhyNotFollowed(flight, place);
+        if (why is not null && _overBudget.Add(entry.Key))
+            flight.Log($"{FollowBook.Name(entry.Task)} {why}: not for us");
+        return why is null;
     }
 }

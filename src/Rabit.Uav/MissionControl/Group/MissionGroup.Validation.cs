@@ -28,8 +28,7 @@ internal sealed partial class MissionGroup
 
     public void Receive(MissionFlight flight, in Envelope<ValidationTask> envelope)
     {
-        if (flight.Plan is not null)
-            _validation?.Receive(envelope.Content, SystemId, t => SecondsTo(flight, t), flight.Now);
+        _validation?.Receive(envelope.Content, SystemId, flight.Plan?.Frame, t => SecondsTo(flight, t), flight.Now);
     }
 
     public void Receive(MissionFlight flight, in Envelope<ValidationBid> envelope)
@@ -94,7 +93,7 @@ internal sealed partial class MissionGroup
     // Null where we cannot: not in the air, with lanes to fly from which it is too far, or with too little energy.
     private double? SecondsTo(MissionFlight flight, ValidationTask task)
     {
-        if (_own.State != GroupMemberState.Available || !flight.IsFlying)
+        if (_own.State != GroupMemberState.Available || !flight.IsFlying || flight.Plan is null)
             return null;
         if (_validation!.WasSeen(task))
             return 0;

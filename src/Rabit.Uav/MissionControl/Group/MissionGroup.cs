@@ -19,6 +19,9 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
     // A vehicle that is this high above its landing place flies.
     private const double FlyingMetres = 5;
 
+    // Messages of coverage, each of up to LaneCoverage.MaxLanes lanes.
+    private const int MaxSeenBefore = 64;
+
     private const double UnlimitedSeconds = ushort.MaxValue;
 
     // The usual defaults of multirotors.
@@ -29,6 +32,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
     private readonly GroupDivision _division = new();
     private readonly CoverageExchange _coverage = new();
     private readonly GroupLog _log = new(log);
+    private readonly SortedDictionary<int, LaneCoverage> _seenBefore = [];
     private FlightPlan? _plan;
     private MissionPlan? _keyed;
     private uint _key;
@@ -86,11 +90,10 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
     public void Receive(MissionFlight flight, in Envelope<LaneCoverage> envelope)
     {
         NotePlan(flight);
-        if (Lanes is not { } lanes || flight.Route is not { } route)
-            return;
-        IReadOnlyList<SkippedLane> skipped = _coverage.Receive(envelope.Content, lanes, route.Coverage);
-        if (skipped.Count > 0)
-            LeaveOut(flight, route, skipped);
+        if (Lanes is { } lanes && flight.Route is { } route)
+            Take(flight, envelope.Content, lanes, route);
+        else
+            KeepForPlan(envelope.Content, KeyOf(flight.Mission));
     }
 
     /// <summary>In each tick, after all that was received.</summary>
@@ -174,7 +177,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
             ? $"our lanes are flown; others still searching: {MissionNumbers.Of(busy)}"
             : !HasOthers(flight) ? null
             : _validation?.IsPending == true ? "our lanes are flown; targets are still being validated"
-            : _following?.IsPending == true ? "our lanes are flown; a target is still followed"
+            : IsFollowingPending(flight) ? "our lanes are flown; a target is still followed"
             : null;
     }
 
@@ -221,12 +224,24 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         return null;
     }
 
+    /// <summary>Whether nothing is left to do: the others have seen the area, and wait for nothing.</summary>
+    /// <param name="flight">The state of the mission; with a plan.</param>
+    public bool IsSearched(MissionFlight flight)
+    {
+        NotePlan(flight);
+        return flight.RequiredCoverage > 0 && flight.Route!.Coverage.Fraction >= flight.CoverageGoal
+            && _validation?.IsPending != true && _following?.IsPending != true;
+    }
+
     private bool GoesFirst(byte id, in GroupReport report) => report.State switch
     {
         GroupMemberState.Available or GroupMemberState.Following => true,
-        GroupMemberState.Waiting => id < SystemId,
-        _ => report.Position.AltitudeAmslMetres - report.LandingPlace.AltitudeAmslMetres > FlyingMetres,
+        GroupMemberState.Waiting => id < SystemId || IsInTheAir(report),
+        _ => IsInTheAir(report),
     };
+
+    private static bool IsInTheAir(in GroupReport report)
+        => report.Position.AltitudeAmslMetres - report.LandingPlace.AltitudeAmslMetres > FlyingMetres;
 
     // Another plan is another area: the operator has changed it.
     private void NotePlan(MissionFlight flight)
@@ -242,6 +257,25 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         (_share, _doneSince, _isSpent, _skippedShared) = (default, null, false, 0);
         if (!isFirst && _key != before)
             _members.Clear();
+        foreach (LaneCoverage seen in _seenBefore.Values)
+            Take(flight, seen, Lanes, flight.Route!);
+        _seenBefore.Clear();
+    }
+
+    private void Take(MissionFlight flight, in LaneCoverage seen, SharedLanes lanes, SearchRoute route)
+    {
+        IReadOnlyList<SkippedLane> skipped = _coverage.Receive(seen, lanes, route.Coverage);
+        if (skipped.Count > 0)
+            LeaveOut(flight, route, skipped);
+    }
+
+    // A vehicle that waits on the ground has no plan yet; what was seen then is not flown over again. Each message has
+    // all that its sender knows of some lanes.
+    private void KeepForPlan(in LaneCoverage seen, uint lanesKey)
+    {
+        bool isRoom = _seenBefore.Count < MaxSeenBefore || _seenBefore.ContainsKey(seen.FirstLane);
+        if (isRoom && seen.LanesKey == lanesKey)
+            _seenBefore[seen.FirstLane] = seen;
     }
 
     private uint KeyOf(MissionPlan mission)
@@ -268,8 +302,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         return new GroupReport
         {
             LanesKey = KeyOf(flight.Mission),
-            State = CurrentFollow is not null && phase == MissionPhase.Revisiting ? GroupMemberState.Following
-                : StateOf(phase),
+            State = StateOf(flight, phase),
             Position = flight.Vehicle.Position,
             LandingPlace = landing,
             SearchAltitudeAmslMetres = landing.AltitudeAmslMetres + flight.Mission.HeightMetres,
@@ -281,9 +314,12 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         };
     }
 
-    private static GroupMemberState StateOf(MissionPhase phase) => phase switch
+    // Who cannot command its autopilot can take over nothing.
+    private GroupMemberState StateOf(MissionFlight flight, MissionPhase phase) => phase switch
     {
         MissionPhase.WaitingForVehicle or MissionPhase.Holding => GroupMemberState.Waiting,
+        _ when !flight.IsConnected => GroupMemberState.Leaving,
+        MissionPhase.Revisiting when CurrentFollow is not null => GroupMemberState.Following,
         MissionPhase.Arming or MissionPhase.TakingOff or MissionPhase.InTransit or MissionPhase.Searching
             or MissionPhase.Revisiting => GroupMemberState.Available,
         _ => GroupMemberState.Leaving,

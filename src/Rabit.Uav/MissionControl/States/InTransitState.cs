@@ -58,6 +58,9 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
             return MissionStep.Stay;
         }
 
+        if (flight.Group?.NextFollow(flight) is { } follow)
+            return new MissionStep(MissionEvent.TargetFound, follow);
+
         if (_path.To.DistanceTo(lane.Start) > 0)
             _path.Begin(flight, lane.Start);
         flight.SetGoalPosition(_path.Next(flight), flight.Mission.HeightMetres, lane.HeadingRadians);

@@ -49,6 +49,8 @@ internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.Waiti
         string fault = flight.CreatePlan();
         if (fault.Length > 0)
             return Impossible(fault);
+        if (flight.Group?.IsSearched(flight) == true)
+            return Impossible("the others have searched the area; nothing is left to fly for");
         if (!flight.IsFixedWing)
             return new MissionStep(MissionEvent.Ready, PlanText(flight));
         flight.MeasureGround();

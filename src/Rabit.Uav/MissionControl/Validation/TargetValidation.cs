@@ -67,9 +67,28 @@ internal sealed class TargetValidation(ushort session, IValidationSender sender,
                 t => t.State == ValidationState.Closed && t.Result != ValidationResult.Unknown
                     && AreSame(TaskOf(track), t, frame));
 
+    /// <summary>Takes the state of a task of another vehicle.</summary>
+    /// <param name="task">As its finder sent it.</param>
+    /// <param name="ownSystemId">Ours.</param>
+    /// <param name="frame">Of the plan; null before there is one.</param>
+    /// <param name="secondsTo">After what time we would be there; null where we cannot.</param>
+    /// <param name="now">The time.</param>
     public void Receive(
-        in ValidationTask task, byte ownSystemId, Func<ValidationTask, double?> secondsTo, TimeSpan now)
-        => _bidder.Receive(task, ownSystemId, secondsTo, now);
+        in ValidationTask task, byte ownSystemId, LocalNedFrame? frame, Func<ValidationTask, double?> secondsTo,
+        TimeSpan now)
+    {
+        _bidder.Receive(task, ownSystemId, secondsTo, now);
+        if (task.State != ValidationState.Open || frame is not { } known)
+            return;
+
+        // Who came late does not know what was validated before.
+        foreach (ValidationTask own in _finder.Tasks)
+        {
+            bool isValidated = own.State == ValidationState.Closed && own.Result != ValidationResult.Unknown;
+            if (isValidated && AreSame(own, task, known))
+                _finder.SendSoon(own.Number, now);
+        }
+    }
 
     public void Receive(byte source, in ValidationBid bid, TimeSpan now) => _finder.Receive(source, bid, now);
 

@@ -80,6 +80,13 @@ internal sealed class ValidationFinder(ushort session, IValidationSender sender,
         task?.Close(ValidationResult.Unknown, now);
     }
 
+    /// <summary>Sends the state of a task once more.</summary>
+    public void SendSoon(ushort number, TimeSpan now)
+    {
+        if (_tasks.Find(t => t.Task.Number == number) is { } task)
+            (task.SendAt, task.IsAsked) = (now, true);
+    }
+
     public void Receive(byte source, in ValidationBid bid, TimeSpan now)
     {
         ushort number = bid.Number;

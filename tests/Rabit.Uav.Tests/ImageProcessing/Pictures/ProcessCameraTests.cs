@@ -357,7 +357,7 @@ public sealed class ProcessCameraTests : IDisposable
         camera = new ProcessCamera(options);
         using var reactor = new RabitReactor(new ReactorOptions { StopsOnSignals = false })
         {
-            new Taker(camera, (frame, pixels) =>
+            new FrameTaker(camera, (frame, pixels, _) =>
             {
                 pictures.Add(pixels);
                 frames?.Add(frame);
@@ -383,27 +383,5 @@ public sealed class ProcessCameraTests : IDisposable
         reactor.Stop();
         reactor.Finish();
         return pictures;
-    }
-
-    private sealed class Taker : RabitManager
-    {
-        private readonly Action<CameraFrame, byte[]> _take;
-        private readonly BlockingReader<CameraFrame> _reader;
-
-        public Taker(ProcessCamera camera, Action<CameraFrame, byte[]> take)
-            : base("taker")
-        {
-            _take = take;
-            _reader = AttachReader("camera", camera, capacity: 10);
-        }
-
-        protected override void ExecuteUnitOfWork()
-        {
-            while (_reader.TryPop(out CameraFrame frame))
-            {
-                using (frame)
-                    _take(frame, frame.Pixels.Span.Slice(0, frame.Width * frame.Height * 3).ToArray());
-            }
-        }
     }
 }

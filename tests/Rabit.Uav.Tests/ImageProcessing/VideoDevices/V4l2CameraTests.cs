@@ -294,7 +294,10 @@ public sealed class V4l2CameraTests : IDisposable
         _camera = new V4l2Camera(options, system ?? _system);
         _camera.LogTo(_log.Enqueue);
         _source = new MeasuringSource(_camera);
-        _reactor = new RabitReactor(new ReactorOptions { StopsOnSignals = false }) { new Taker(_source, _taken) };
+        _reactor = new RabitReactor(new ReactorOptions { StopsOnSignals = false })
+        {
+            new FrameTaker(_source, (frame, pixels, now) => _taken.Enqueue((frame, pixels, now))),
+        };
         _reactor.Start();
     }
 
@@ -307,7 +310,8 @@ public sealed class V4l2CameraTests : IDisposable
 
     private void Take(int count)
         => Assert.True(
-            SpinWait.SpinUntil(() => _taken.Count >= count, MaxWait), $"{_taken.Count} pictures; {_camera!.Statistics}");
+            SpinWait.SpinUntil(() => _taken.Count >= count, MaxWait),
+            $"{_taken.Count} pictures; {_camera!.Statistics}");
 
     private void WaitForLog(string start)
         => Assert.True(
@@ -340,28 +344,5 @@ public sealed class V4l2CameraTests : IDisposable
         public void Unblock() => camera.Unblock();
 
         public void Close() => camera.Close();
-    }
-
-    private sealed class Taker : RabitManager
-    {
-        private readonly ConcurrentQueue<(CameraFrame Frame, byte[] Pixels, TimeSpan Now)> _taken;
-        private readonly BlockingReader<CameraFrame> _reader;
-
-        public Taker(
-            IReaderSource<CameraFrame> camera, ConcurrentQueue<(CameraFrame Frame, byte[] Pixels, TimeSpan Now)> taken)
-            : base("taker")
-        {
-            _taken = taken;
-            _reader = AttachReader("camera", camera, capacity: 10);
-        }
-
-        protected override void ExecuteUnitOfWork()
-        {
-            while (_reader.TryPop(out CameraFrame frame))
-            {
-                using (frame)
-                    _taken.Enqueue((frame, frame.Pixels.Span.Slice(0, frame.Width * frame.Height * 3).ToArray(), Now));
-            }
-        }
     }
 }

@@ -134,6 +134,36 @@ public sealed class FollowProtocolTests
         Assert.True(network.RunUntil(() => network.Following.Length == 1 && network.FollowedBy(1) != first, 6));
     }
 
+    // 1000 bytes a second are shared with all else; a message has some 100.
+    [Fact]
+    public void Tasks_Many_AreRepeatedSoSlowlyThatTheRadioIsNotFilled()
+    {
+        var network = new FollowNetwork(2, seed: 1) { SecondsTo = _ => null };
+        for (int i = 0; i < 12; i++)
+            network.Announce(northDegrees: 0.01 * i);
+        network.Run(10);
+        int sent = 0;
+        network.Drops = (sender, _) => sender == 0 && ++sent < 0;
+        network.Run(20);
+        Assert.InRange(sent, 70, 85);
+        Assert.All(network.BookOf(1).Entries, e => Assert.Equal(1, e.Task.Decider));
+    }
+
+    [Fact]
+    public void Tasks_ManyAndFortyPercentLost_TheirFollowersAreNotTakenForLost()
+    {
+        for (int seed = 1; seed <= 20; seed++)
+        {
+            var network = new FollowNetwork(3, seed) { SecondsTo = _ => null, Loss = 0.4 };
+            for (int i = 0; i < 12; i++)
+                network.Announce(northDegrees: 0.01 * i);
+            network.Run(80);
+            Assert.All(
+                Enumerable.Range(0, 3).SelectMany(i => network.BookOf(i).Entries),
+                e => Assert.True(e.Task.Decider == 1, $"seed {seed}: {e.Task.Number} is of {e.Task.Decider}"));
+        }
+    }
+
     [Fact]
     public void Task_Closed_IsSilentAfterAWhileAndAnswersWhoMissedIt()
     {

@@ -147,6 +147,35 @@ public sealed class GroupFollowingTests
         Assert.Equal(2, Tasks(rig).Count(t => t.Result == FollowResult.Followed));
     }
 
+    // Those that come late are asked while they take off, and the same one is nearest to two targets.
+    [Fact]
+    public void Targets_SeveralAndVehiclesComeLate_NoneIsAwardedTwoAndOneFollowsFromItsWayToTheArea()
+    {
+        using GroupRig rig = Open(4, followSeconds: 100);
+        rig.SwitchedOn = 1;
+        for (int i = 0; i < 3; i++)
+        {
+            int east = 40 * i;
+            Add(rig, t => Walker(0.5)(t) is var (n, e) ? (n, e + east) : null);
+        }
+
+        Assert.True(rig.RunUntil(() => Tasks(rig).Count == 3, 500), rig.Story);
+        rig.SwitchedOn = 4;
+        Assert.True(
+            rig.RunUntil(
+                () =>
+                {
+                    int most = Tasks(rig).Where(t => t.State == FollowState.Awarded).GroupBy(t => t.Follower)
+                        .Select(g => g.Count()).DefaultIfEmpty().Max();
+                    Assert.True(most <= 1, $"{most} are of one at {rig.Seconds}: {rig.Story}");
+                    return Following(rig).Length == 3;
+                },
+                60),
+            rig.Story);
+        Assert.Contains("InTransit -> Revisiting: to follow", rig.Story, StringComparison.Ordinal);
+        Assert.All(Tasks(rig), t => Assert.Equal(2, t.Decision));
+    }
+
     [Theory]
     [InlineData(1)]
     [InlineData(2)]

@@ -209,8 +209,7 @@ public sealed class GroupSearchTests
     [Fact]
     public void Wait_SameHeight_OnlyTheFirstTakesOff()
     {
-        using var rig = new GroupRig(
-            2, MissionRig.Mission(area: Field), change: (_, o) => o.Group = new GroupOptions { HeightLayer = 0 });
+        using GroupRig rig = OpenSameHeight();
         rig.Run(60);
         Assert.Equal(MissionPhase.Searching, rig.Rigs[0].Status.Phase);
         Assert.Equal(MissionPhase.WaitingForVehicle, rig.Rigs[1].Status.Phase);
@@ -218,6 +217,71 @@ public sealed class GroupSearchTests
             "vehicle 1 searches 0.0 m above or below our height", rig.Rigs[1].Status.Text,
             StringComparison.Ordinal);
     }
+
+    // The second one waits for the height of the first, which has seen all by then.
+    [Fact]
+    public void Wait_SameHeightAndTheFirstSearchesAll_TheSecondStaysOnTheGround()
+    {
+        using GroupRig rig = OpenSameHeight();
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.Equal(MissionOutcome.Accomplished, rig.Rigs[0].Status.Result.Outcome);
+        Assert.Equal(MissionPhase.Failed, rig.Rigs[1].Status.Phase);
+        Assert.Contains("the others have searched the area", rig.Rigs[1].Status.Text, StringComparison.Ordinal);
+        Assert.Equal(0, rig.Rigs[1].Vehicle.Count(VehicleCommandKind.Arm));
+    }
+
+    [Fact]
+    public void Wait_SameHeightAndTheFirstReturns_TheSecondFliesTheRest()
+    {
+        using GroupRig rig = OpenSameHeight();
+        Assert.True(rig.RunUntil(() => rig.Rigs[0].Status.Coverage > 0.5, 600), rig.Story);
+        rig.Rigs[0].Manager.ReturnToLaunch("test", "weather");
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.Equal(MissionOutcome.Accomplished, rig.Rigs[1].Status.Result.Outcome);
+        Assert.True(rig.Rigs[1].Status.Coverage >= 0.98, rig.Story);
+        Assert.InRange(rig.Rigs[1].Status.LanesFlown, 1, 6);
+    }
+
+    [Fact]
+    public void Wait_SameHeightAndOneHoldsInTheAir_TheOtherDoesNotTakeOff()
+    {
+        using GroupRig rig = OpenSameHeight();
+        (rig.Rigs[0].Vehicle.Battery, rig.Loss) = (0.1, 1);
+        Assert.True(rig.RunUntil(() => rig.Rigs[1].Status.Phase == MissionPhase.Searching, 60), rig.Story);
+        rig.Rigs[1].Manager.Hold("test", "look");
+        rig.Run(5);
+        Assert.Equal(MissionPhase.Holding, rig.Rigs[1].Status.Phase);
+        rig.Loss = 0;
+        rig.Run(5);
+        rig.Rigs[0].Vehicle.Battery = 0.9;
+        rig.Run(20);
+        Assert.Equal(MissionPhase.WaitingForVehicle, rig.Rigs[0].Status.Phase);
+        Assert.Contains("vehicle 2 searches 0.0 m", rig.Rigs[0].Status.Text, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Autopilot_OfOneIsLost_ItsLanesAreForTheOthers()
+    {
+        using GroupRig rig = Open(3);
+        Assert.True(rig.RunUntil(() => rig.Rigs[0].Status.LanesFlown >= 1, 300), rig.Story);
+        rig.Rigs[2].Vehicle.IsConnected = false;
+        Assert.True(
+            rig.RunUntil(() => Member(rig, 0, 3) is { State: GroupMemberState.Leaving, Lanes: 0 }, 12), rig.Story);
+        rig.Rigs[2].Vehicle.IsConnected = true;
+        Assert.True(
+            rig.RunUntil(() => Member(rig, 0, 3) is { State: GroupMemberState.Available, Lanes: > 0 }, 12), rig.Story);
+    }
+
+    private static GroupMember Member(GroupRig rig, int asKnownBy, byte systemId)
+        => rig.StatusOf(asKnownBy).Members.Single(m => m.SystemId == systemId);
+
+    private static GroupRig OpenSameHeight() => new(
+        2, MissionRig.Mission(area: Field),
+        change: (_, options) =>
+        {
+            options.Group = new GroupOptions { HeightLayer = 0 };
+            options.ReadyTimeout = TimeSpan.FromMinutes(30);
+        });
 
     private static GroupRig Open(int vehicles, int seed = 1)
         => new(vehicles, MissionRig.Mission(area: Field), seed);

@@ -121,6 +121,24 @@ public sealed class GroupValidationTests
         Assert.NotEqual(task.Finder, task.Validator);
     }
 
+    [Fact]
+    public void Target_ValidatedBeforeOneJoins_IsNotValidatedAgain()
+    {
+        using GroupRig rig = Open(3, maxDetourMetres: 1000);
+        rig.SwitchedOn = 2;
+        Assert.True(rig.RunUntil(() => Validated(rig).Count == 1, 600), rig.Story);
+        rig.Run(10);
+        rig.SwitchedOn = 3;
+        Assert.True(rig.RunUntil(() => rig.Rigs[2].Status.Phase == MissionPhase.InTransit, 60), rig.Story);
+        StandInVehicle late = rig.Rigs[2].Vehicle;
+        late.Report(late.MakeTrack(7, 200, -20, DefaultTargetClasses.Red, 9, TrackState.Confirmed));
+        Assert.True(rig.RunUntil(() => Tasks(rig, 2).Any(t => t.Finder == 3), 5), rig.Story);
+        Assert.True(
+            rig.RunUntil(() => Tasks(rig, 2).All(t => t.State == ValidationState.Closed), 1.5), rig.Story);
+        Assert.Single(Validated(rig));
+        Assert.DoesNotContain(Tasks(rig, 2), t => t.Finder == 3 && t.Validator != 0);
+    }
+
     [Theory]
     [InlineData(1)]
     [InlineData(2)]
