@@ -51,6 +51,19 @@ public sealed class GroupTests : IDisposable
         }
     }
 
+    // The simulated camera shows the smallest target of the bundled mission from 75 m or less.
+    [Theory]
+    [InlineData(2, null, 40)]
+    [InlineData(3, null, 35)]
+    [InlineData(3, 17.0, 40)]
+    public void Open_Vehicles_TheLayersBeginSoLowThatTheThirdSeesTheSmallestTarget(
+        int vehicles, double? spacingMetres, double heightMetres)
+    {
+        using GroupFlight flight = GroupFlight.Open(
+            new ConsoleOptions { Vehicles = vehicles, LayerSpacingMetres = spacingMetres }, log: null);
+        Assert.Equal(heightMetres, flight.Mission.HeightMetres);
+    }
+
     [Theory]
     [InlineData("--vehicles 0", "--vehicles 0: it must be a number from 1 to 8.")]
     [InlineData("--vehicles 3 --web", "--web is for one vehicle; it does not go with --vehicles.")]
@@ -63,9 +76,9 @@ public sealed class GroupTests : IDisposable
     [InlineData("--vehicles 2 --command NaN:1:hold", "--command NaN:1:hold: it must be")]
     [InlineData("--vehicles 2 --command 5:3:hold", "--command 5:3:hold: there is no vehicle 3; --vehicles 2 has the "
         + "vehicles 1 to 2.")]
-    [InlineData("--vehicles 8", "vehicle 6: Mission Control: Mission in layer 5, 85.0 m above layer 0: heightMetres is "
-        + "125; it must be 5 to 120; with 17.0 m from one layer to the next there is room for 5 vehicles, in layers 0 "
-        + "to 4.")]
+    [InlineData("--vehicles 8", "vehicle 6: Mission Control: Mission in layer 5, 100.0 m above layer 0: heightMetres "
+        + "is 135; it must be 5 to 120; with 20.0 m from one layer to the next there is room for 5 vehicles, in layers "
+        + "0 to 4.")]
     [InlineData("--group-layer 1 --fixed-wing 60", "--fixed-wing does not go with --group-layer.")]
     [InlineData("--group-layer 1", "--group-layer needs --link URL, --mission FILE and --fly;")]
     [InlineData("--group-layer 9", "--group-layer 9: it must be a number from 0 to 7.")]

@@ -25,10 +25,10 @@ internal static class GroupArguments
     public static Option<int?> Vehicles { get; } = new("--vehicles")
     {
         Description = "How many simulated vehicles search the area together, 1 to "
-            + $"{SimulatedGroupOptions.MaxVehicles}. They divide its lanes, each flies 17 m above the one before it "
-            + "(--layer-spacing), none above 120 m: the bundled mission, 40 m high, has room for 5, of which 3 are low "
-            + "enough for its smallest target. Beside the report of the group each has one of its own. It does not go "
-            + "with "
+            + $"{SimulatedGroupOptions.MaxVehicles}. They divide its lanes, each flies 20 m above the one before it "
+            + "(--layer-spacing), of three and more the first 5 m below the height of the mission, none above 120 m: "
+            + "the bundled mission, 40 m high, has room for 5, of which 3 are low enough for its smallest target. "
+            + "Beside the report of the group each has one of its own. It does not go with "
             + string.Join(", ", Alone) + ". 1 without it.",
         HelpName = "N",
         CustomParser = Parse,
@@ -48,7 +48,7 @@ internal static class GroupArguments
     public static Option<double?> LayerSpacing { get; } = new("--layer-spacing")
     {
         Description = "From one height layer of a group to the next, 15 to 100 m, the same for all; with --vehicles or "
-            + "--group-layer. 17 simulated, 20 with real vehicles without it.",
+            + "--group-layer; the lowest is at the height of the mission then. 20 without it.",
         HelpName = "METRES",
         CustomParser = ParseSpacing,
     };

@@ -15,9 +15,13 @@ namespace UavConsole;
 /// <summary>Several simulated vehicles that search one area together.</summary>
 internal sealed class GroupFlight : IDisposable
 {
-    // Between two layers: the simulated home is level, so that heights above it differ by little. With 20 m the third
-    // vehicle would be too high for the smallest target.
-    public const double DefaultLayerSpacingMetres = 17;
+    // Between two layers: 15 m are needed, and the heights of two vehicles are wrong by up to 4 m against each other.
+    public const double DefaultLayerSpacingMetres = 20;
+
+    // From three vehicles on the layers begin so much lower, at this height or more: the third one still sees the
+    // smallest target of the bundled mission.
+    private const double LowerMetres = 5;
+    private const double MinLoweredMetres = 20;
 
     // A little to the side, so that no vehicle lands on it.
     private const double StationNorthMetres = -10;
@@ -57,7 +61,7 @@ internal sealed class GroupFlight : IDisposable
     public static GroupFlight Open(ConsoleOptions options, LogFile? log)
     {
         MissionFile file = Flight.ReadSimulatedMission(options);
-        MissionPlan mission = file.Plan;
+        MissionPlan mission = Lower(file.Plan, options);
         var world = new SimulationOptions
         {
             Seed = options.Seed,
@@ -104,6 +108,13 @@ internal sealed class GroupFlight : IDisposable
         Group.Finish();
         foreach (GroupVehicle vehicle in Vehicles)
             vehicle.Uav.Dispose();
+    }
+
+    private static MissionPlan Lower(MissionPlan mission, ConsoleOptions options)
+    {
+        double lower = mission.HeightMetres - LowerMetres;
+        bool isLower = options.Vehicles > 2 && options.LayerSpacingMetres is null && lower >= MinLoweredMetres;
+        return isLower ? mission.WithHeight(lower) : mission;
     }
 
     private void Add(ConsoleOptions options, int number, LogFile? file)

@@ -54,6 +54,10 @@ public sealed partial class MissionPlan
     /// <summary>The same whose camera is held by a gimbal that it points (<see cref="HasGimbal"/>).</summary>
     public MissionPlan WithGimbal() => new(this) { HasGimbal = true };
 
+    /// <summary>The same, searched from another height.</summary>
+    /// <param name="metres">As <see cref="HeightMetres"/>; it is checked with the plan.</param>
+    public MissionPlan WithHeight(double metres) => new(this) { HeightMetres = metres };
+
     internal MissionPlan WithSpeed(double metresPerSecond)
         => new(this) { SpeedMetresPerSecond = metresPerSecond };
 
