@@ -92,11 +92,15 @@ public sealed class PatchMeasure
         if (contrast < 1)
             return false;
         Cover(_ground, red / contrast, green / contrast, blue / contrast);
-        if (!Sum(ref shape) || !Judge(ref shape, _inside))
-            return false;
-        _slope.Correct(_coverage, MinCoverage, ref shape);
-        return true;
+        return Sum(ref shape) && Judge(ref shape, _inside);
     }
+
+    /// <summary>
+    /// Moves the centre of what was measured last to where it is on ground that is the same all around: other ground on
+    /// one side pulls it. Nothing else of it changes, so that only what may be a target needs it.
+    /// </summary>
+    /// <param name="shape">What <see cref="TryMeasure"/> gave.</param>
+    public void CorrectCentre(ref PatchShape shape) => _slope.Correct(_coverage, MinCoverage, ref shape);
 
     private (double Red, double Green, double Blue) Corrected(in MeanColour colour)
         => (colour.Red * _light!.RedGain, colour.Green, colour.Blue * _light.BlueGain);

@@ -47,7 +47,7 @@ public class PatchTests
     [Theory]
     [InlineData(150, 120, 100)]
     [InlineData(30, 45, 28)]
-    public void TryMeasure_OtherGroundOnOneSide_CentreHardlyMoves(byte r, byte g, byte b)
+    public void CorrectCentre_OtherGroundOnOneSide_CentreHardlyMoves(byte r, byte g, byte b)
     {
         byte[] picture = Paint(205, 28, 32, left: 0, top: 0, columns: 0, rows: 0);
         Paint(picture, r, g, b, left: 0, top: 0, columns: 24, rows: Height);
@@ -55,6 +55,7 @@ public class PatchTests
         Find(Blur(Blur(picture)));
         Patch[] red = [.. _finder.Patches.ToArray().Where(p => p.Colour == 0 && !p.IsStrong)];
         Assert.True(_measure.TryLook(red, out PatchShape shape) && _measure.TryMeasure(ref shape));
+        _measure.CorrectCentre(ref shape);
         Assert.InRange(shape.CentreX, 23.27, 23.73);
         Assert.InRange(shape.CentreY, 18.43, 18.57);
     }
@@ -152,6 +153,7 @@ public class PatchTests
             Find(picture);
             _measure.TryLook(first, out PatchShape shape);
             _measure.TryMeasure(ref shape);
+            _measure.CorrectCentre(ref shape);
         }));
     }
 
@@ -236,6 +238,7 @@ public class PatchTests
         Assert.All(_finder.Patches.ToArray(), p => Assert.Equal(colour, p.Colour));
         Assert.True(_measure.TryLook(_finder.Patches.Slice(0, 1), out PatchShape shape));
         Assert.True(_measure.TryMeasure(ref shape));
+        _measure.CorrectCentre(ref shape);
         return shape;
     }
 }

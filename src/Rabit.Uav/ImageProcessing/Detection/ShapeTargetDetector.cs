@@ -225,6 +225,8 @@ public sealed class ShapeTargetDetector : ITargetDetector
                 (best.Cost, best.ColourCost, best.Class, best.SideMetres) = (cost, ofColour, i, side);
         }
 
+        if (best.Cost <= PatchCandidates.MaxCost)
+            _measure.CorrectCentre(ref best.Shape);
         if (best.IsWhite)
             _white.Add(shape, best.Cost);
         _candidates.Add(best);
