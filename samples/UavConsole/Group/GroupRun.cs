@@ -58,7 +58,11 @@ internal static class GroupRun
         Console.SetOut(output);
         Console.WriteLine(
             $"simulated flight: {flight.Mission.Name}, seed {FlightText.Number(options.Seed)}, "
-                + $"{FlightText.Number(options.TargetCount)} targets, {FlightText.Number(options.Vehicles)} vehicles");
+                + $"{FlightText.Number(options.TargetCount)} targets, "
+                + (options.MovingCount == 0
+                    ? string.Empty
+                    : $"{FlightText.Number(options.MovingCount)} of them moving, ")
+                + $"{FlightText.Number(options.Vehicles)} vehicles");
         Task run = Task.Factory.StartNew(
             () => RunToEnd(flight, options.IsRealTime, stop.Token), CancellationToken.None,
             TaskCreationOptions.LongRunning, TaskScheduler.Default);

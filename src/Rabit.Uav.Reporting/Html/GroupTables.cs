@@ -16,8 +16,8 @@ internal sealed class GroupTables(PageWriter page, GroupFlightSummary data)
     {
         page.Open("section").Element("h2", "Vehicles").Open("div", "class", "card scroll").Open("table");
         page.TableHead(
-            "vehicle", "ended, by its own position", "#lanes", "#flown m", "#time", "#battery", "#announced", "#validated",
-            "#radio kbit/s", "#lost", "report");
+            "vehicle", "ended, by its own position", "#lanes", "#flown m", "#motors on", "#battery", "#announced",
+            "#validated", "#radio kbit/s", "#lost", "report");
         page.Open("tbody");
         for (int i = 0; i < data.Vehicles.Count; i++)
             WriteVehicle(i);

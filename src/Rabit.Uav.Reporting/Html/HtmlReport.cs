@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text;
-using Rabit.Uav.Messages;
 using Rabit.Uav.Reporting.Html;
 
 namespace Rabit.Uav.Reporting;
@@ -146,14 +145,11 @@ public sealed class HtmlReport
         _page.Close();
     }
 
-    // What Mission Control says of its last phase goes by its own position.
+    // What Mission Control says of its last phase goes by the position of the vehicle, also in a simulation.
     private string LandingNote(MissionSummary mission)
-    {
-        MissionResult result = _summary.Record.Mission.Result;
-        return !mission.HasLanded ? (result.HasFlown ? "it is in the air" : "it did not fly")
+        => !mission.HasLanded ? (_summary.Record.Mission.Result.HasFlown ? "it is in the air" : "it did not fly")
             : mission.Score?.DistanceFromHomeMetres is null ? "from home, by its own position"
-            : $"from home; {FlightText.Number(result.DistanceFromHomeMetres, "0.0")} m by its own position";
-    }
+            : "from home in truth; what Mission Control says goes by its own position";
 
     // Numbers only: nothing from outside gets into the script.
     private string CursorPoints()

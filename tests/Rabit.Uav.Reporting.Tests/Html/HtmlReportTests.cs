@@ -44,6 +44,21 @@ public sealed class HtmlReportTests
         Assert.Contains("track 8 (red) was confirmed and is not a target", words);
     }
 
+    // By its own position a vehicle lands somewhere else than in truth.
+    [Theory]
+    [InlineData(null, "from home, by its own position")]
+    [InlineData(0.9, "from home in truth; ")]
+    public void Write_Landed_SaysByWhatTheDistanceGoes(double? truth, string expected)
+    {
+        FlightRecord record = MadeUpFlight.Record();
+        var summary = new FlightSummary(record)
+        {
+            Mission = new MissionSummary(record, new MissionScore { DistanceFromHomeMetres = truth }),
+        };
+
+        Assert.Contains(expected, Words(Parse(Page(summary))));
+    }
+
     [Fact]
     public void Write_AnyFlight_NeedsNothingFromOutsideAndIsSmall()
     {
