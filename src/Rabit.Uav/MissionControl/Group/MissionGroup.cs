@@ -150,10 +150,14 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         (_share, _doneSince, _isSpent) = (share, null, false);
         route.SeenToEachSideMetres = SeenToEachSide(flight);
         route.SetRest(lanes.Of(share), flight.OverlapMetres, flight.Position);
-        string which = share.Count == 0
-            ? $"none of {MissionNumbers.Of(lanes.Lanes.Count)} lanes is ours"
-            : $"lanes {MissionNumbers.Of(share.First + 1)} to {MissionNumbers.Of(share.First + share.Count)} of "
-                + $"{MissionNumbers.Of(lanes.Lanes.Count)} are ours";
+        string all = MissionNumbers.Of(lanes.Lanes.Count);
+        string which = share.Count switch
+        {
+            0 => $"none of {all} lanes is ours",
+            1 => $"lane {MissionNumbers.Of(share.First + 1)} of {all} is ours",
+            _ => $"lanes {MissionNumbers.Of(share.First + 1)} to {MissionNumbers.Of(share.First + share.Count)} of "
+                + $"{all} are ours",
+        };
         flight.Log(
             $"{which}: vehicle {MissionNumbers.Of(_division.Author)} divided them among "
                 + MissionNumbers.Of(_division.Shares.Length));

@@ -169,7 +169,7 @@ internal sealed class SearchingState : MissionState
         int legs = route.AddGapLegs(flight.Position, flight.Group is { } group ? group.IsOurs : null);
         if (legs == 0)
             return new MissionStep(MissionEvent.Searched, seen + ", the gaps are too small to fly over");
-        flight.Log($"{seen}: {MissionNumbers.Of(legs)} more legs over gaps");
+        flight.Log($"{seen}: {MissionNumbers.Of(legs)} more {(legs == 1 ? "leg" : "legs")} over gaps");
         return MissionStep.Stay;
     }
 }
