@@ -8,7 +8,9 @@ internal static class BrownConradyLens
 {
     // Newton's method doubles the digits in each step: a lens that it cannot undo in so many is folded there.
     private const int MaxSteps = 30;
-    private const double ConvergedSquared = 1e-26;
+
+    // The step from there on leaves nothing that a double shows.
+    private const double LastStepSquared = 1e-16;
 
     /// <summary>Undoes the distortion; false beyond the fold of the lens.</summary>
     public static bool TryUndistort(
@@ -23,10 +25,10 @@ internal static class BrownConradyLens
             double determinant = (at.XByX * at.YByY) - (at.XByY * at.XByY);
             if (!(determinant > 0))
                 return false;
-            if ((missX * missX) + (missY * missY) < ConvergedSquared)
-                return true;
             x += ((at.YByY * missX) - (at.XByY * missY)) / determinant;
             y += ((at.XByX * missY) - (at.XByY * missX)) / determinant;
+            if ((missX * missX) + (missY * missY) < LastStepSquared)
+                return true;
         }
 
         return false;

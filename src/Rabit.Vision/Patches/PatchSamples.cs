@@ -37,17 +37,14 @@ internal sealed class PatchSamples(PatchMap map)
     {
         MeanColour core = default;
         MeanColour inner = default;
-        MeanColour all = default;
         for (int row = 2; row < _map.Rows - 2; row++)
         {
             for (int word = 0; word < _map.Own.Words; word++)
             {
-                ulong own = _map.Own[row, word];
-                if (own == 0)
+                if (_map.Own[row, word] == 0)
                     continue;
                 int first = _map.PixelAt(64 * word, row);
                 ulong innerBits = _map.InnerOf(row, word);
-                Add(first, own, ref all);
                 Add(first, innerBits, ref inner);
                 Add(first, _map.CoreOf(row, word, innerBits), ref core);
             }
@@ -60,13 +57,25 @@ internal sealed class PatchSamples(PatchMap map)
             return full;
         }
 
-        MeanColour mean = all.Mean();
+        MeanColour mean = All();
         (double red, double green, double blue) =
             (mean.Red - ground.Red, mean.Green - ground.Green, mean.Blue - ground.Blue);
         double most = Strongest(ground, red, green, blue, double.PositiveInfinity, out _);
         Strongest(ground, red, green, blue, NearlyFull * most, out MeanColour best);
         pure = best.Count > 0 ? best.Mean() : mean;
         return pure;
+    }
+
+    private MeanColour All()
+    {
+        MeanColour all = default;
+        for (int row = 0; row < _map.Rows; row++)
+        {
+            for (int word = 0; word < _map.Own.Words; word++)
+                Add(_map.PixelAt(64 * word, row), _map.Own[row, word], ref all);
+        }
+
+        return all.Mean();
     }
 
     private unsafe int CountGround()

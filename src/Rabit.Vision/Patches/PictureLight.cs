@@ -41,6 +41,7 @@ public sealed class PictureLight
     private readonly int[] _blue = new int[256];
     private readonly int[] _least = new int[256];
     private readonly byte[] _levels = new byte[Tiles * Tiles];
+    private long _count; // of the pixels that were measured
     private int _width = 1;
     private int _height = 1;
 
@@ -74,6 +75,7 @@ public sealed class PictureLight
     {
         PixelBuffer.Check(pixels, width, height);
         (_width, _height) = (width, height);
+        _count = 0;
         Array.Clear(_red, 0, 256);
         Array.Clear(_green, 0, 256);
         Array.Clear(_blue, 0, 256);
@@ -106,10 +108,10 @@ public sealed class PictureLight
     private static double Unveil(double level, double veil)
         => veil == 0 ? level : LinearLight.ToLevel(LinearLight.Of(level) - veil);
 
-    private static int Median(int[] histogram) => LevelOfPart(histogram, 2);
+    private int Median(int[] histogram) => LevelOfPart(histogram, 2, _count);
 
-    private static double VeilOf(int[] histogram, double gain)
-        => Math.Min(MaxVeil, VeilInShade * LinearLight.Of(gain * LevelOfPart(histogram, DarkestPart)));
+    private double VeilOf(int[] histogram, double gain)
+        => Math.Min(MaxVeil, VeilInShade * LinearLight.Of(gain * LevelOfPart(histogram, DarkestPart, _count)));
 
     private int LevelOfBrightest()
     {
@@ -121,12 +123,9 @@ public sealed class PictureLight
         return value;
     }
 
-    // The level that one of so many pixels do not exceed.
-    private static int LevelOfPart(int[] histogram, int part)
+    // The level that one of so many pixels, of all that were measured, do not exceed.
+    private static int LevelOfPart(int[] histogram, int part, long all)
     {
-        long all = 0;
-        foreach (int count in histogram)
-            all += count;
         (long sum, int value) = (0, 0);
         while (value < 255 && part * (sum += histogram[value]) < all)
             value++;
@@ -137,12 +136,14 @@ public sealed class PictureLight
     {
         Array.Clear(_tile, 0, 256);
         (int left, int right) = (across * _width / Tiles, (across + 1) * _width / Tiles);
+        int count = 0;
         fixed (byte* begin = pixels)
         fixed (int* tile = _tile, red = _red, green = _green, blue = _blue, least = _least)
         {
             for (int row = down * _height / Tiles; row < (down + 1) * _height / Tiles; row += Step)
             {
                 byte* end = begin + (((row * _width) + right) * 3);
+                count += (right - left + Step - 1) / Step;
                 for (byte* p = begin + (((row * _width) + left) * 3); p < end; p += 3 * Step)
                 {
                     red[p[0]]++;
@@ -154,6 +155,7 @@ public sealed class PictureLight
             }
         }
 
-        return Median(_tile);
+        _count += count;
+        return LevelOfPart(_tile, 2, count);
     }
 }
