@@ -46,6 +46,36 @@ public sealed class ShapeTargetDetectorTests
             detections.Take(result.Count).OrderBy(d => d.CentreX).Select(d => d.Class));
     }
 
+    /// <summary>More than there is room for: the likeliest stay, and what is left out is counted.</summary>
+    [Fact]
+    public void Detect_MorePanelsThanThereIsRoomFor_FindsTheClearestAmongThemAndCountsTheRest()
+    {
+        var painting = new Painting(33);
+        for (int i = 0; i < 560; i++)
+        {
+            (int left, int top) = (20 + (12 * (i % 50)), 20 + (12 * (i / 50)));
+            for (int pixel = 0; pixel < 54; pixel++)
+            {
+                int at = (((top + (pixel / 6)) * Painting.Width) + left + (pixel % 6)) * 3;
+                (painting.Pixels[at], painting.Pixels[at + 1], painting.Pixels[at + 2]) = (205, 28, 32);
+            }
+        }
+
+        painting.Rectangle(Painting.Nominal(DefaultTargetClasses.Blue), 320, 450, 9, 9, 0);
+        var detections = new TargetDetection[1024];
+        DetectorResult result = new ShapeTargetDetector(TargetClass.Defaults).Detect(
+            new DetectorInput(
+                painting.Pixels, Painting.Width, Painting.Height, TargetClass.Defaults,
+                PictureGroundScale.Uniform(0.1)),
+            detections);
+
+        Assert.Null(result.Refusal);
+        Assert.True(
+            detections.Take(result.Count).Any(d => d.Class == DefaultTargetClasses.Blue),
+            $"{result.Count} found, {result.Dropped} dropped");
+        Assert.InRange(result.Dropped, 1, 700);
+    }
+
     private static (TargetDetection[] Found, DetectorResult Result) Search(TestView view, int spots)
     {
         var painting = new Painting(31);

@@ -41,13 +41,33 @@ internal sealed class PatchCandidates
     /// <summary>All of them, as they came.</summary>
     public Span<PatchCandidate> All => _all.AsSpan(0, _count);
 
-    public void Clear() => (_count, _chosenCount) = (0, 0);
+    /// <summary>How many that may be targets found no room.</summary>
+    public int Dropped { get; private set; }
 
-    /// <summary>Adds one; ranked are all of them together.</summary>
+    public void Clear() => (_count, _chosenCount, Dropped) = (0, 0, 0);
+
+    /// <summary>Adds one; ranked are all of them together. Where all are taken the one that costs most goes.</summary>
     public void Add(in PatchCandidate candidate)
     {
-        if (candidate.Cost <= MaxKeptCost && _count < Max)
+        if (candidate.Cost > MaxKeptCost)
+            return;
+        if (_count < Max)
+        {
             _all[_count++] = candidate;
+            return;
+        }
+
+        int costliest = 0;
+        for (int i = 1; i < Max; i++)
+        {
+            if (_all[i].Cost > _all[costliest].Cost)
+                costliest = i;
+        }
+
+        double dropped = Math.Max(candidate.Cost, _all[costliest].Cost);
+        Dropped += dropped <= MaxCost ? 1 : 0;
+        if (candidate.Cost < _all[costliest].Cost)
+            _all[costliest] = candidate;
     }
 
     /// <summary>Ranks them by their costs; of equal ones, the first is the likelier.</summary>

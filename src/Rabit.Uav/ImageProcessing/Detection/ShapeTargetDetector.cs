@@ -238,7 +238,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
         foreach (ref PatchCandidate one in _candidates.All)
             one.Cost += one.IsWhite ? _white.DarknessOf(one.Shape) : 0;
         _candidates.Rank();
-        (int count, int dropped) = (0, 0);
+        (int count, int dropped) = (0, _candidates.Dropped);
         for (int rank = 0; rank < _candidates.Count && _candidates[rank].Cost <= PatchCandidates.MaxCost; rank++)
         {
             ref readonly PatchCandidate candidate = ref _candidates[rank];

@@ -4,6 +4,7 @@ using System.ComponentModel;
 using System.Diagnostics;
 using System.IO;
 using System.Text;
+using System.Threading;
 
 namespace Rabit.Uav.ImageProcessing;
 
@@ -17,8 +18,11 @@ internal sealed class ChildProcess : IDisposable
     private const int NoSuchFile = 2;
     private const int NotPermitted = 13;
 
+    private const int MaxEndMs = 1_000;
+
     private readonly Process _process;
     private readonly EventHandler _onExit;
+    private readonly ManualResetEventSlim _isErrorRead = new();   // set by the thread that reads the errors, at their end
 
     /// <exception cref="IOException">It cannot be started; the text says why, without its name.</exception>
     public ChildProcess(string program, IReadOnlyList<string> arguments, Action<string> onErrorLine)
@@ -36,8 +40,10 @@ internal sealed class ChildProcess : IDisposable
         };
         _process.ErrorDataReceived += (_, line) =>
         {
-            if (!string.IsNullOrWhiteSpace(line.Data))
-                onErrorLine(line.Data!);
+            if (line.Data is null)
+                _isErrorRead.Set();
+            else if (!string.IsNullOrWhiteSpace(line.Data))
+                onErrorLine(line.Data);
         };
         _onExit = (_, _) => Kill();
         try
@@ -58,9 +64,14 @@ internal sealed class ChildProcess : IDisposable
 
     public Stream Output { get; }
 
-    /// <summary>How it ended, for people.</summary>
+    /// <summary>How it ended, for people; what it wrote to its errors was passed on before.</summary>
     public string DescribeEnd()
-        => _process.WaitForExit(1_000) ? $"it ended with exit code {_process.ExitCode}" : "it closed its output";
+    {
+        bool hasEnded = _process.WaitForExit(MaxEndMs);
+        if (hasEnded)
+            _isErrorRead.Wait(MaxEndMs);   // a program that it has started may go on, and keep them open
+        return hasEnded ? $"it ended with exit code {_process.ExitCode}" : "it closed its output";
+    }
 
     /// <summary>Ends it; from any thread, also when it has ended.</summary>
     public void Kill()
@@ -80,6 +91,7 @@ internal sealed class ChildProcess : IDisposable
         AppDomain.CurrentDomain.ProcessExit -= _onExit;
         Kill();
         _process.Dispose();
+        _isErrorRead.Dispose();
     }
 
     // The runtimes name it in different ways, some with the working folder, which has nothing to do with it.

@@ -100,7 +100,8 @@ internal sealed class FollowLinks(FollowBook book)
         foreach (FollowEntry entry in book.Entries)
         {
             bool isEligible = isFollowed ? entry.Task.Result == FollowResult.Followed : !entry.IsOver;
-            if (!isEligible || !IsSuch(entry.Task, track.Class, track.MarkerId))
+            if (!isEligible || !IsSuch(entry.Task, track.Class, track.MarkerId)
+                || (!isFollowed && IsShownByAnother(entry, track, flight)))
                 continue;
             double distance = PlaceOf(entry, flight.Plan!.Frame, flight.Now).DistanceTo(place);
             double seconds = Math.Max(0, (flight.Now - entry.Task.Time - MaxAge).TotalSeconds);
@@ -112,6 +113,11 @@ internal sealed class FollowLinks(FollowBook book)
 
         return nearest;
     }
+
+    // Two tracks that are seen at the same time are two targets, however near.
+    private bool IsShownByAnother(FollowEntry entry, TargetTrack track, MissionFlight flight)
+        => flight.Now - track.LastSeen <= MaxAge
+            && TracksOf(entry, flight).Any(t => t.Id != track.Id && flight.Now - t.LastSeen <= MaxAge);
 
     // It goes on about as fast as it went; one that stood may go on, too.
     private static double SpeedAfterwards(in FollowTask task)

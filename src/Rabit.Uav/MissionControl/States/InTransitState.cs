@@ -48,8 +48,6 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
             return MissionStep.Stay;
         }
 
-        if (flight.Route!.Current is not { } lane)
-            return new MissionStep(MissionEvent.AtArea, "all lanes are flown");
         if (flight.IsFixedWing)
             return new MissionStep(MissionEvent.AtArea, "to the circle before the first lane");
         if (_climbAt is { } at)
@@ -58,6 +56,8 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
             return MissionStep.Stay;
         }
 
+        if (flight.Route!.Current is not { } lane)
+            return new MissionStep(MissionEvent.AtArea, "all lanes are flown");
         if (flight.Group?.NextFollow(flight) is { } follow)
             return new MissionStep(MissionEvent.TargetFound, follow);
 

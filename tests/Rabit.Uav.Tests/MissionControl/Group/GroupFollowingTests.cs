@@ -137,6 +137,17 @@ public sealed class GroupFollowingTests
         Assert.All(rig.Rigs, r => Assert.Equal(MissionOutcome.Accomplished, r.Status.Result.Outcome));
     }
 
+    // Nearer to each other than two tracks of one target may be.
+    [Fact]
+    public void Targets_TwoBesideEachOther_AreBothFollowed()
+    {
+        using GroupRig rig = Open(2, followSeconds: 20);
+        Add(rig, _ => (200, 20));
+        Add(rig, _ => (203, 28));
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.Equal(2, Tasks(rig).Count(t => t.Result == FollowResult.Followed));
+    }
+
     [Fact]
     public void Targets_TwoAndOneVehicle_AreFollowedOneAfterTheOther()
     {

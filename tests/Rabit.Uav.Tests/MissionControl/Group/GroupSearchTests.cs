@@ -259,6 +259,30 @@ public sealed class GroupSearchTests
         Assert.Contains("vehicle 2 searches 0.0 m", rig.Rigs[0].Status.Text, StringComparison.Ordinal);
     }
 
+    // Below its layer are the others.
+    [Fact]
+    public void Continue_LowAndAllLanesAreFlown_ClimbsInPlaceFirst()
+    {
+        using GroupRig rig = Open(1);
+        StandInVehicle vehicle = rig.Rigs[0].Vehicle;
+        Assert.True(rig.RunUntil(() => rig.Rigs[0].Status.Coverage > 0.5, 900), rig.Story);
+        rig.Rigs[0].Manager.Land("test", "look");
+        Assert.True(rig.RunUntil(() => vehicle.Height < 20, 60), rig.Story);
+        rig.Rigs[0].Manager.Hold("test", "look");
+        rig.Run(3);
+        while (rig.Rigs[0].Manager.SkipLane("test", "none left") is { } skip)
+        {
+            Assert.True(rig.RunUntil(() => skip.Outcome != OperatorOutcome.InProgress, 3), rig.Story);
+            if (skip.Outcome != OperatorOutcome.Accepted)
+                break;
+        }
+
+        (double north, double east) = (vehicle.North, vehicle.East);
+        rig.Rigs[0].Manager.ContinueMission("test", "on");
+        Assert.True(rig.RunUntil(() => vehicle.Height > 38, 60), rig.Story);
+        Assert.InRange(Math.Sqrt(Math.Pow(vehicle.North - north, 2) + Math.Pow(vehicle.East - east, 2)), 0, 5);
+    }
+
     [Fact]
     public void Autopilot_OfOneIsLost_ItsLanesAreForTheOthers()
     {
