@@ -22,7 +22,9 @@ internal sealed class ChildProcess : IDisposable
 
     private readonly Process _process;
     private readonly EventHandler _onExit;
-    private readonly ManualResetEventSlim _isErrorRead = new();   // set by the thread that reads the errors, at their end
+
+    // Set by the thread that reads the errors, at their end.
+    private readonly ManualResetEventSlim _isErrorRead = new();
 
     /// <exception cref="IOException">It cannot be started; the text says why, without its name.</exception>
     public ChildProcess(string program, IReadOnlyList<string> arguments, Action<string> onErrorLine)

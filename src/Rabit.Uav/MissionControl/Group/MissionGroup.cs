@@ -221,8 +221,8 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
             {
                 return $"vehicle {MissionNumbers.Of(id)} searches {MissionNumbers.Of(height)} m above or below our "
                     + $"height; at least {MissionNumbers.Of(GroupOptions.SeparationMetres)} m are needed: "
-                    + $"each needs a {nameof(GroupOptions.HeightLayer)} of its own, far enough from the next one for the "
-                    + $"errors of heights ({nameof(GroupOptions.LayerSpacingMetres)})";
+                    + $"each needs a {nameof(GroupOptions.HeightLayer)} of its own, far enough from the next one for "
+                    + $"the errors of heights ({nameof(GroupOptions.LayerSpacingMetres)})";
             }
         }
 
