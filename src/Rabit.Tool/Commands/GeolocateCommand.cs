@@ -12,6 +12,7 @@ namespace Rabit.Tool.Commands;
 internal static class GeolocateCommand
 {
     private const string PixelName = "--pixel";
+    private const string PixelIncomplete = PixelName + " needs two numbers: column and row.";
 
     public static Command Create()
     {
@@ -21,7 +22,7 @@ internal static class GeolocateCommand
                 + "EXIF and XMP where it was and how its camera was turned.",
         };
         Argument<string?> request = new("REQUEST") { Description = RequestText, Arity = ArgumentArity.ZeroOrOne };
-        Option<string?> pixel = PixelOption();
+        Option<string[]> pixel = PixelOption();
         Option<string> telemetry = FileOption(
             "--telemetry", "Poses over time, instead of one: a .tlog of MAVLink, or a table (CSV) with timeSeconds and "
                 + "the fields of a pose as columns. Needs --time.");
@@ -37,13 +38,16 @@ internal static class GeolocateCommand
         var json = new Option<bool>("--json")
         {
             Description = "JSON out: status \"ok\" with place, covariances and ellipse, or \"refused\" with reason and "
-                + "text.",
+                + "text; a list of several pixels.",
         };
+        Option<string> geoJson = FileOption(
+            "--geojson", "Also writes a file for maps, GeoJSON: each pixel as a point, with its 95 % ellipse. A file that "
+                + "there is, is replaced.");
 
         var command = new Command(
             "geolocate",
-            "Says where on the ground a pixel lies: of a camera with a pose or a telemetry log, or of a photo that a "
-                + "drone took. Exit code 1 where there is no place.")
+            "Says where on the ground pixels lie: of a camera with a pose or a telemetry log, or of a photo that a "
+                + "drone took. Exit code 1 where one has no place.")
         {
             camera, request, pixel, telemetry, time, terrain,
         };
@@ -51,6 +55,7 @@ internal static class GeolocateCommand
             command.Add(option);
         command.Add(turned);
         command.Add(json);
+        command.Add(geoJson);
         CommandLine.CheckFileName(camera, command);
         CommandLine.CheckFileName(request, command);
         command.SetAction(result =>
@@ -59,12 +64,13 @@ internal static class GeolocateCommand
             {
                 Camera = result.GetValue(camera)!,
                 Request = result.GetValue(request),
-                Pixel = PixelOf(result.GetValue(pixel)),
+                Pixels = [.. (result.GetValue(pixel) ?? []).Select(PixelOf)],
                 Telemetry = result.GetValue(telemetry),
                 TimeSeconds = result.GetValue(time),
                 Terrain = result.GetValue(terrain),
                 IsTurned = result.GetValue(turned),
                 IsJson = result.GetValue(json),
+                GeoJson = result.GetValue(geoJson),
             };
             foreach (Option<double?> option in ofPhoto)
             {
@@ -100,32 +106,37 @@ internal static class GeolocateCommand
         "What is asked, in JSON; - reads it from the standard input. pose: latitudeDegrees, longitudeDegrees, "
         + "altitudeAmslMetres, rollDegrees, pitchDegrees, yawDegrees; optional velocityNorthMetresPerSecond, "
         + "velocityEastMetresPerSecond, velocityDownMetresPerSecond. gimbal: pitchDegrees, yawDegrees; optional, "
-        + "straight down. groundAltitudeAmslMetres, not needed with --terrain. pixel: [column, row], not needed with "
-        + "--pixel.";
+        + "straight down. groundAltitudeAmslMetres, not needed with --terrain. pixel: [column, row], or pixels: [[column, "
+        + "row], ...], not needed with --pixel.";
 
-    private static Option<string?> PixelOption()
+    private static Option<string[]> PixelOption()
     {
-        var option = new Option<string?>(PixelName)
+        var option = new Option<string[]>(PixelName)
         {
-            Description = "Column and row, instead of those of the request: U V, or U,V.",
+            Description = "Column and row, instead of those of the request: U V, or U,V; may be given several times.",
             HelpName = "U V",
-            Arity = ArgumentArity.ZeroOrOne,
+            Arity = ArgumentArity.ZeroOrMore,
+            AllowMultipleArgumentsPerToken = false,
         };
         option.Validators.Add(result =>
         {
-            string[] parts = result.Tokens.Count == 0 ? [] : result.Tokens[0].Value.Split(',');
-            if (parts.Length != 2)
-                result.AddError($"{PixelName} needs two numbers: column and row.");
-            else if (Array.Find(parts, p => !IsNumber(p, out _)) is { } wrong)
-                result.AddError($"{PixelName}: '{wrong}' is not a number.");
+            foreach (string word in result.Tokens.Select(t => t.Value))
+            {
+                string[] parts = word.Split(',');
+                if (parts.Length != 2)
+                    result.AddError(PixelIncomplete);
+                else if (Array.Find(parts, p => !IsNumber(p, out double n) || !IsFinite(n)) is { } wrong)
+                    result.AddError($"{PixelName}: '{wrong}' is not a number.");
+            }
+
+            if (result.Tokens.Count < result.IdentifierTokenCount)
+                result.AddError(PixelIncomplete);
         });
         return option;
     }
 
-    private static (double Column, double Row)? PixelOf(string? text)
+    private static (double Column, double Row) PixelOf(string text)
     {
-        if (text is null)
-            return null;
         double[] parts = text.Split(',').Select(p => IsNumber(p, out double number) ? number : double.NaN).ToArray();
         return (parts[0], parts[1]);
     }
@@ -160,11 +171,13 @@ internal static class GeolocateCommand
             string text = result.Tokens[0].Value;
             if (!IsNumber(text, out double value))
                 result.AddError($"{name}: '{text}' is not a number.");
-            else if (double.IsNaN(value) || double.IsInfinity(value))
+            else if (!IsFinite(value))
                 result.AddError($"{name} is {text}, which is not finite.");
             return value;
         },
     };
+
+    private static bool IsFinite(double value) => !double.IsNaN(value) && !double.IsInfinity(value);
 
     private static bool IsNumber(string text, out double value)
         => double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out value);

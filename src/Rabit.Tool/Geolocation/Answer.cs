@@ -1,5 +1,7 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using System.Text;
 using System.Text.Json;
 using Rabit.Geodesy;
@@ -8,14 +10,39 @@ using Rabit.Uav.ImageProcessing.Geolocation;
 
 namespace Rabit.Tool.Geolocation;
 
-/// <summary>Writes a place, or why there is none.</summary>
+/// <summary>Writes places, or why there is none.</summary>
 internal static class Answer
 {
-    /// <returns>The exit code: of a refusal that nothing was found.</returns>
-    public static int Write(GeolocationResult fix, bool isJson, TextWriter output)
+    /// <param name="pixels">One at least.</param>
+    /// <param name="isList">Whether it is a list, though it may have one entry.</param>
+    /// <param name="isJson">Whether to write JSON.</param>
+    /// <param name="output">Where it goes.</param>
+    /// <returns>The exit code: where one is refused, that it was not found.</returns>
+    public static int Write(IReadOnlyList<LocatedPixel> pixels, bool isList, bool isJson, TextWriter output)
     {
-        output.WriteLine(isJson ? Json(fix) : Text(fix));
-        return fix.Error == GeolocationError.None ? ToolExitCode.Done : ToolExitCode.NotFound;
+        if (isJson)
+            output.WriteLine(Json(pixels, isList));
+        else if (!isList)
+            output.WriteLine(Text(pixels[0].Result));
+        else
+        {
+            foreach (LocatedPixel pixel in pixels)
+                output.WriteLine(Line(pixel));
+        }
+
+        return pixels.All(p => p.IsLocated) ? ToolExitCode.Done : ToolExitCode.NotFound;
+    }
+
+    private static string Line(LocatedPixel pixel)
+    {
+        string name = FormattableString.Invariant($"pixel {pixel.Column},{pixel.Row}: ");
+        if (!pixel.IsLocated)
+            return name + Text(pixel.Result);
+        GeolocationResult fix = pixel.Result;
+        HorizontalCovariance all = fix.Covariance + fix.SystematicCovariance;
+        return name + PositionText.Format(fix.Position.Point, PositionStyle.DecimalDegrees)
+            + FormattableString.Invariant(
+                $"  altitude {fix.Position.AltitudeAmslMetres:0.00} m  95 % ellipse {all.HalfMajorAxis95Metres:0.0} x {all.HalfMinorAxis95Metres:0.0} m, long axis at {all.MajorAxis.Degrees:0} deg from north");
     }
 
     private static string Text(GeolocationResult fix)
@@ -37,7 +64,8 @@ internal static class Answer
             """) + PoseText(fix);
     }
 
-    private static string Reason(GeolocationError refusal) => refusal switch
+    /// <summary>Why there is no place, for people.</summary>
+    public static string Reason(GeolocationError refusal) => refusal switch
     {
         GeolocationError.OutsidePicture => "the pixel is not in the picture",
         GeolocationError.LensCannotBeUndone => "the lens distortion cannot be undone there",
@@ -56,26 +84,41 @@ internal static class Answer
         ? FormattableString.Invariant($"pose extrapolated by {fix.Extrapolated.TotalMilliseconds:0} ms")
         : "pose between samples";
 
-    private static string Json(GeolocationResult fix)
+    private static string Json(IReadOnlyList<LocatedPixel> pixels, bool isList)
     {
         using var stream = new MemoryStream();
         using (var writer = new Utf8JsonWriter(stream, new JsonWriterOptions { Indented = true }))
         {
-            writer.WriteStartObject();
-            writer.WriteString("status", fix.Error == GeolocationError.None ? "ok" : "refused");
-            writer.WriteNumber("timeSeconds", fix.Time.TotalSeconds);
-            if (fix.Error == GeolocationError.None)
-                WritePlace(writer, fix);
-            else
-            {
-                writer.WriteString("reason", fix.Error.ToString());
-                writer.WriteString("text", Reason(fix.Error));
-            }
-
-            writer.WriteEndObject();
+            if (isList)
+                writer.WriteStartArray();
+            foreach (LocatedPixel pixel in pixels)
+                WritePixel(writer, pixel);
+            if (isList)
+                writer.WriteEndArray();
         }
 
         return Encoding.UTF8.GetString(stream.ToArray());
+    }
+
+    private static void WritePixel(Utf8JsonWriter writer, LocatedPixel pixel)
+    {
+        GeolocationResult fix = pixel.Result;
+        writer.WriteStartObject();
+        writer.WriteString("status", pixel.IsLocated ? "ok" : "refused");
+        writer.WriteStartArray("pixel");
+        writer.WriteNumberValue(pixel.Column);
+        writer.WriteNumberValue(pixel.Row);
+        writer.WriteEndArray();
+        writer.WriteNumber("timeSeconds", fix.Time.TotalSeconds);
+        if (pixel.IsLocated)
+            WritePlace(writer, fix);
+        else
+        {
+            writer.WriteString("reason", fix.Error.ToString());
+            writer.WriteString("text", Reason(fix.Error));
+        }
+
+        writer.WriteEndObject();
     }
 
     private static void WritePlace(Utf8JsonWriter writer, GeolocationResult fix)

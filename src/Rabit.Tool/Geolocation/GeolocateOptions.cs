@@ -19,9 +19,13 @@ internal sealed class GeolocateOptions
 
     public double? TimeSeconds { get; set; }
 
-    public (double Column, double Row)? Pixel { get; set; }
+    /// <summary>Instead of those of the request; none where the request has them.</summary>
+    public IReadOnlyList<(double Column, double Row)> Pixels { get; set; } = [];
 
     public bool IsJson { get; set; }
+
+    /// <summary>The file for the places as GeoJSON.</summary>
+    public string? GeoJson { get; set; }
 
     /// <summary>Whether the first file is a photo, which describes its camera itself.</summary>
     public bool IsPhoto => Path.GetExtension(Camera).ToUpperInvariant() is ".JPG" or ".JPEG" or ".PNG";
@@ -43,6 +47,12 @@ internal sealed class GeolocateOptions
                 + "not.";
         if (IsPhoto && (Request ?? Telemetry) is { } other)
             return $"{Camera} is a photo, which needs no {other}.";
+        if (GeoJson is not null && Array.Find([Camera, Request, Telemetry, Terrain], IsOutput) is { } read)
+            return $"--geojson would overwrite {read}, which is read.";
         return null;
     }
+
+    private bool IsOutput(string? input)
+        => !string.IsNullOrEmpty(input) && !string.IsNullOrEmpty(GeoJson)
+            && Path.GetFullPath(input).Equals(Path.GetFullPath(GeoJson), StringComparison.Ordinal);
 }

@@ -1,10 +1,11 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using Rabit.Vision;
 
 namespace Rabit.Tool.Geolocation;
 
-/// <summary>The main job: reads what is asked and writes the place, or why there is none.</summary>
+/// <summary>The main job: reads what is asked and writes the places, or why there is none.</summary>
 internal static class GeolocateRun
 {
     /// <returns>The exit code.</returns>
@@ -13,10 +14,28 @@ internal static class GeolocateRun
     {
         if (options.FindFault() is { } fault)
             throw new ToolException(fault);
-        string?[] files = [options.Camera, options.Request, options.Telemetry, options.Terrain];
+        string?[] files = [options.Camera, options.Request, options.Telemetry, options.Terrain, options.GeoJson];
         if (Array.Find(files, Directory.Exists) is { } folder)
             throw new ToolException($"{folder}: that is a folder.");
-        return Answer.Write(Read(options, input).Locate(), options.IsJson, output);
+        Request request = Read(options, input);
+        IReadOnlyList<LocatedPixel> pixels = request.Locate();
+        if (options.GeoJson is { } file)
+            WriteGeoJson(file, pixels);
+        return Answer.Write(pixels, request.IsList, options.IsJson, output);
+    }
+
+    private static void WriteGeoJson(string file, IReadOnlyList<LocatedPixel> pixels)
+    {
+        try
+        {
+            using FileStream output = File.Create(file);
+            GeoJsonAnswer.Write(output, pixels);
+        }
+        catch (Exception e)
+            when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        {
+            throw new ToolException($"--geojson {file}: it cannot be written: {e.Message}", e);
+        }
     }
 
     private static Request Read(GeolocateOptions options, TextReader input)

@@ -1,5 +1,7 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.ImageProcessing.Geolocation;
@@ -8,20 +10,28 @@ using Rabit.Vision;
 
 namespace Rabit.Tool.Geolocation;
 
-/// <summary>A pixel and all that is needed to find its place.</summary>
+/// <summary>Pixels and all that is needed to find their places.</summary>
 internal sealed class Request
 {
+    private const string Pixel = "pixel";
+    private const string Pixels = "pixels";
     private const string GroundAltitude = "groundAltitudeAmslMetres";
+    private const int MaxPixels = 10_000;
     private const double MaxSeconds = 1e11;   // some 3000 years: far below what a TimeSpan holds
 
     private readonly PixelGeolocator _locator;
     private readonly TimeSpan _time;
     private readonly ImagingCommand _command;
-    private readonly double _column;
-    private readonly double _row;
+    private readonly Photo? _photo;
+    private readonly IReadOnlyList<(double Column, double Row)> _pixels;
 
-    private Request(PixelGeolocator locator, TimeSpan time, ImagingCommand command, double column, double row)
-        => (_locator, _time, _command, _column, _row) = (locator, time, command, column, row);
+    private Request(
+        PixelGeolocator locator, TimeSpan time, ImagingCommand command,
+        IReadOnlyList<(double Column, double Row)> pixels, Photo? photo = null)
+        => (_locator, _time, _command, _pixels, _photo) = (locator, time, command, pixels, photo);
+
+    /// <summary>Whether a list of pixels was asked for, though it may have one entry.</summary>
+    public bool IsList { get; private set; }
 
     /// <exception cref="FormatException">Something is missing, unknown or of a wrong type.</exception>
     /// <exception cref="PictureException">The file describes no camera.</exception>
@@ -40,20 +50,40 @@ internal sealed class Request
             AddPose(locator, request.Object("pose", [.. Telemetry.Names]));
         else
             time = Telemetry.Read(line.Telemetry, time, locator);
-        (double column, double row) = line.Pixel ?? request.Pair("pixel");
-        return new Request(locator, time, CommandOf(request, options.Terrain is not null), column, row);
+        return new Request(
+            locator, time, CommandOf(request, options.Terrain is not null), PixelsOf(line, request, out bool isList))
+        {
+            IsList = isList,
+        };
     }
 
-    public GeolocationResult Locate() => _locator.Locate(_time, _command, _column, _row);
+    /// <summary>Each pixel, in the order in which they were asked for.</summary>
+    public IReadOnlyList<LocatedPixel> Locate() => [.. _pixels.Select(Locate)];
+
+    private LocatedPixel Locate((double Column, double Row) pixel)
+    {
+        (double column, double row) = _photo?.Stored(pixel) ?? pixel;
+        return new LocatedPixel(pixel.Column, pixel.Row, _locator.Locate(_time, _command, column, row));
+    }
+
+    private static IReadOnlyList<(double Column, double Row)> PixelsOf(
+        GeolocateOptions line, RequestFields request, out bool isList)
+    {
+        if (request.Has(Pixel) && request.Has(Pixels))
+            throw request.Fault($"{Pixel} and {Pixels} exclude each other");
+        bool isGiven = line.Pixels.Count > 0;
+        isList = isGiven ? line.Pixels.Count > 1 : request.Has(Pixels);
+        return isGiven ? line.Pixels : isList ? request.Pairs(Pixels, MaxPixels) : [request.Pair(Pixel)];
+    }
 
     private static Request OfPhoto(GeolocateOptions line)
     {
         var photo = new Photo(PhotoMetadata.Read(File.ReadAllBytes(line.Camera), line.Camera), line);
         TerrainGrid? terrain = line.Terrain is null ? null : TerrainOf(line.Terrain);
         PixelGeolocator locator = photo.MakeLocator(terrain, out ImagingCommand command);
-        (double column, double row) = photo.Stored(
-            line.Pixel ?? throw new FormatException("--pixel is missing: column and row of the photo."));
-        return new Request(locator, default, command, column, row);
+        return line.Pixels.Count > 0
+            ? new Request(locator, default, command, line.Pixels, photo) { IsList = line.Pixels.Count > 1 }
+            : throw new FormatException("--pixel is missing: column and row of the photo.");
     }
 
     private static double TimeOf(GeolocateOptions line)
@@ -73,7 +103,7 @@ internal sealed class Request
             "-" => (input.ReadToEnd(), "the standard input"),
             _ => (File.ReadAllText(file), file),
         };
-        return RequestFields.Parse(text, name, "pose", "gimbal", GroundAltitude, "pixel");
+        return RequestFields.Parse(text, name, "pose", "gimbal", GroundAltitude, Pixel, Pixels);
     }
 
     private static TerrainGrid TerrainOf(string file)

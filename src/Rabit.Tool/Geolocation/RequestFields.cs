@@ -66,13 +66,29 @@ internal sealed class RequestFields
         ? degrees : throw Wrong(_prefix + name, _values[name], FormattableString.Invariant($"-{max} to {max}"));
 
     /// <summary>A list of two numbers.</summary>
-    public (double First, double Second) Pair(string name)
+    public (double First, double Second) Pair(string name) => Pair(Required(name), name);
+
+    /// <summary>A list of such lists, 1 to <paramref name="max"/>.</summary>
+    public IReadOnlyList<(double First, double Second)> Pairs(string name, int max)
     {
         JsonElement list = Required(name);
+        if (list.ValueKind != JsonValueKind.Array || list.GetArrayLength() == 0)
+            throw Wrong(_prefix + name, list, "a list of lists of two numbers, [[ ... ], ...]");
+        return list.GetArrayLength() <= max
+            ? [.. list.EnumerateArray().Select((pair, i) => Pair(pair, FormattableString.Invariant($"{name}[{i}]")))]
+            : throw new FormatException(FormattableString.Invariant(
+                $"{_file}: {_prefix}{name} has {list.GetArrayLength()} entries; it may have {max} at most"));
+    }
+
+    private (double First, double Second) Pair(JsonElement list, string name)
+    {
         if (list.ValueKind != JsonValueKind.Array || list.GetArrayLength() != 2)
             throw Wrong(_prefix + name, list, "a list of two numbers");
         return (Number(list[0], name + "[0]"), Number(list[1], name + "[1]"));
     }
+
+    /// <summary>What is wrong with several fields at once.</summary>
+    public FormatException Fault(string text) => new($"{_file}: {text}");
 
     private double Number(JsonElement value, string name)
         => value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out double number)

@@ -123,6 +123,11 @@ public sealed class GeolocateTests : IDisposable
     [InlineData("'x' is not a number", "--pixel", "x", "1")]
     [InlineData("--pixel needs two numbers", "--pixel")]
     [InlineData("--pixel needs two numbers", "--pixel", "5")]
+    [InlineData("--pixel needs two numbers", "--pixel", "1,2", "--pixel")]
+    [InlineData("--pixel needs two numbers", "--pixel", "--pixel", "1,2")]
+    [InlineData("--pixel needs two numbers", "--pixel", "1,2", "--pixel", "3", "--json")]
+    [InlineData("'NaN' is not a number", "--pixel", "NaN,1")]
+    [InlineData("Required argument missing for option: '--geojson'", "--geojson")]
     [InlineData("go together", "--time", "3")]
     [InlineData("--time is Infinity, which is not finite", "--telemetry", "poses.csv", "--time", "Infinity")]
     [InlineData("--time is 922337203684; it must be seconds", "--telemetry", "poses.csv", "--time", "922337203684")]
@@ -141,7 +146,7 @@ public sealed class GeolocateTests : IDisposable
     [InlineData("\"longitudeDegrees\":8", "\"longitudeDegrees\":-188",
         "pose.longitudeDegrees is -188; it must be -180 to 180")]
     [InlineData("\"pixel\"", "\"gimbl\":{},\"pixel\"",
-        "gimbl is unknown; there are pose, gimbal, groundAltitudeAmslMetres, pixel")]
+        "gimbl is unknown; there are pose, gimbal, groundAltitudeAmslMetres, pixel, pixels")]
     [InlineData("\"rollDegrees\":0", "\"rolDegrees\":3,\"rollDegrees\":0", "pose.rolDegrees is unknown")]
     [InlineData("\"rollDegrees\":0", "\"rollDegrees\":3,\"rollDegrees\":0", "pose.rollDegrees is there twice")]
     [InlineData("\"pixel\"", "\"gimbal\":{\"pitch\":-60},\"pixel\"",

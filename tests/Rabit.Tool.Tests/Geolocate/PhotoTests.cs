@@ -83,6 +83,23 @@ public sealed class PhotoTests : IDisposable
     }
 
     [Fact]
+    public void Photo_SeveralPixelsTurned_GivesEachPlaceWithItsPixel()
+    {
+        string photo = Write("a.jpg", PhotoBytes.Drone());
+        Assert.Equal(0, _run.Run(photo, "--pixel", "50", "1", "--json"));
+        GeodeticPosition place = _run.Place;
+
+        Assert.Equal(
+            1, _run.Run(photo, "--pixel", "10", "41", "--pixel", "61,1", "--pixel", "10,41", "--turned", "--json"));
+
+        Assert.Equal(3, _run.Json.GetArrayLength());
+        Assert.Equal([10, 41], _run.Json[0].Numbers("pixel"));
+        Assert.Equal(place.Latitude.Degrees, _run.Json[0].Number("latitudeDegrees"), 1e-9);
+        Assert.Equal(place.Longitude.Degrees, _run.Json[2].Number("longitudeDegrees"), 1e-9);
+        Assert.Equal("OutsidePicture", _run.Json[1].Text("reason"));
+    }
+
+    [Fact]
     public void Photo_WithOptions_TakesThemInstead()
     {
         string photo = Write("a.jpg", PhotoBytes.Drone());
