@@ -12,6 +12,8 @@ namespace Rabit.Tool.Commands;
 internal static class GeolocateCommand
 {
     private const string PixelName = "--pixel";
+    private const double MinAltitudeMetres = -1000;
+    private const double MaxAltitudeMetres = 100_000;
     private const string PixelIncomplete = PixelName + " needs two numbers: column and row.";
 
     public static Command Create()
@@ -144,38 +146,46 @@ internal static class GeolocateCommand
     // They stand in for what a photo does not say, or replace it.
     private static Option<double?>[] PhotoOptions() =>
     [
-        NumberOption("--latitude", "DEGREES", "Of a photo: latitude of the camera."),
-        NumberOption("--longitude", "DEGREES", "Of a photo: longitude of the camera."),
-        NumberOption("--altitude", "METRES", "Of a photo: altitude of the camera above mean sea level."),
-        NumberOption("--height", "METRES", "Of a photo: height of the camera above the ground."),
+        NumberOption("--latitude", "DEGREES", "Of a photo: latitude of the camera.", -90, 90),
+        NumberOption("--longitude", "DEGREES", "Of a photo: longitude of the camera.", -180, 180),
         NumberOption(
-            "--ground-altitude", "METRES", "Of a photo: the ground above mean sea level, instead of --height."),
-        NumberOption("--camera-roll", "DEGREES", "Of a photo: roll of the camera against the horizon."),
+            "--altitude", "METRES", "Of a photo: altitude of the camera above mean sea level.", MinAltitudeMetres,
+            MaxAltitudeMetres),
+        NumberOption("--height", "METRES", "Of a photo: height of the camera above the ground.", 0, MaxAltitudeMetres),
         NumberOption(
-            "--camera-pitch", "DEGREES", "Of a photo: pitch of the camera; -90 is straight down."),
-        NumberOption("--camera-yaw", "DEGREES", "Of a photo: yaw of the camera, clockwise from true north."),
-        NumberOption("--focal-length", "MILLIMETRES", "Of a photo: with --sensor-width."),
-        NumberOption("--sensor-width", "MILLIMETRES", "Of a photo: the width of the sensor."),
-        NumberOption("--focal-length-35mm", "MILLIMETRES", "Of a photo: the equivalent for 35 mm film."),
+            "--ground-altitude", "METRES", "Of a photo: the ground above mean sea level, instead of --height.",
+            MinAltitudeMetres, 10_000),
+        NumberOption("--camera-roll", "DEGREES", "Of a photo: roll of the camera against the horizon.", -180, 180),
+        NumberOption(
+            "--camera-pitch", "DEGREES", "Of a photo: pitch of the camera; -90 is straight down.", -180, 180),
+        NumberOption("--camera-yaw", "DEGREES", "Of a photo: yaw of the camera, clockwise from true north.", -360, 360),
+        NumberOption("--focal-length", "MILLIMETRES", "Of a photo: with --sensor-width.", 0.1, 10_000),
+        NumberOption("--sensor-width", "MILLIMETRES", "Of a photo: the width of the sensor.", 0.1, 1000),
+        NumberOption("--focal-length-35mm", "MILLIMETRES", "Of a photo: the equivalent for 35 mm film.", 1, 10_000),
     ];
 
     private static Option<string> FileOption(string name, string description)
         => new(name) { Description = description, HelpName = "FILE" };
 
-    private static Option<double?> NumberOption(string name, string unit, string description) => new(name)
-    {
-        Description = description,
-        HelpName = unit,
-        CustomParser = result =>
+    private static Option<double?> NumberOption(
+        string name, string unit, string description, double min = double.MinValue, double max = double.MaxValue)
+        => new(name)
         {
-            string text = result.Tokens[0].Value;
-            if (!IsNumber(text, out double value))
-                result.AddError($"{name}: '{text}' is not a number.");
-            else if (!IsFinite(value))
-                result.AddError($"{name} is {text}, which is not finite.");
-            return value;
-        },
-    };
+            Description = description,
+            HelpName = unit,
+            CustomParser = result =>
+            {
+                string text = result.Tokens[0].Value;
+                if (!IsNumber(text, out double value))
+                    result.AddError($"{name}: '{text}' is not a number.");
+                else if (!IsFinite(value))
+                    result.AddError($"{name} is {text}, which is not finite.");
+                else if (!(value >= min && value <= max))
+                    result.AddError(FormattableString.Invariant(
+                        $"{name} is {text}; it must be {min} to {max} {unit.ToLowerInvariant()}."));
+                return value;
+            },
+        };
 
     private static bool IsFinite(double value) => !double.IsNaN(value) && !double.IsInfinity(value);
 

@@ -47,6 +47,10 @@ internal sealed class GeolocateOptions
                 + "not.";
         if (IsPhoto && (Request ?? Telemetry) is { } other)
             return $"{Camera} is a photo, which needs no {other}.";
+        if (OfPhoto.ContainsKey("height") && OfPhoto.ContainsKey("ground-altitude"))
+            return "--height and --ground-altitude exclude each other: both say where the ground is.";
+        if (OfPhoto.ContainsKey("focal-length") && !OfPhoto.ContainsKey("sensor-width"))
+            return "--focal-length needs --sensor-width.";
         if (GeoJson is not null && Array.Find([Camera, Request, Telemetry, Terrain], IsOutput) is { } read)
             return $"--geojson would overwrite {read}, which is read.";
         return null;

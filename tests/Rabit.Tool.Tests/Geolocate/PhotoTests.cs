@@ -139,10 +139,57 @@ public sealed class PhotoTests : IDisposable
         AssertRefused("--turned is for a photo", camera, "--turned");
         AssertRefused("'x' is not a number", photo, "--pixel", "1,x");
         AssertRefused("--height is NaN, which is not finite", photo, "--pixel", "1,1", "--height", "NaN");
-        AssertRefused("it must", photo, "--pixel", "1,1", "--sensor-width", "0");
         AssertRefused("that is no JPEG", Write("b.jpg", [1, 2, 3]), "--pixel", "1,1");
         Assert.Equal(1, _run.Run(photo, "--pixel", "61,1"));
         Assert.StartsWith("refused: OutsidePicture", _run.Output, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("--latitude", "95", "-90 to 90 degrees")]
+    [InlineData("--longitude", "400", "-180 to 180 degrees")]
+    [InlineData("--altitude", "-1001", "-1000 to 100000 metres")]
+    [InlineData("--height", "1e9", "0 to 100000 metres")]
+    [InlineData("--height", "-5", "0 to 100000 metres")]
+    [InlineData("--ground-altitude", "1e4000", "")]
+    [InlineData("--ground-altitude", "10001", "-1000 to 10000 metres")]
+    [InlineData("--camera-roll", "-181", "-180 to 180 degrees")]
+    [InlineData("--camera-pitch", "1000", "-180 to 180 degrees")]
+    [InlineData("--camera-yaw", "361", "-360 to 360 degrees")]
+    [InlineData("--focal-length", "0", "0.1 to 10000 millimetres")]
+    [InlineData("--sensor-width", "1e-300", "0.1 to 1000 millimetres")]
+    [InlineData("--focal-length-35mm", "0", "1 to 10000 millimetres")]
+    [InlineData("--focal-length-35mm", "1e9", "1 to 10000 millimetres")]
+    public void Photo_OptionOutOfItsRange_IsNamedWithTheRange(string option, string value, string range)
+    {
+        string photo = Write("a.jpg", PhotoBytes.Drone());
+
+        Assert.Equal(2, _run.Run(photo, "--pixel", "1,1", option, value));
+
+        Assert.StartsWith(
+            range.Length == 0 ? option : $"{option} is {value}; it must be {range}.", _run.Errors,
+            StringComparison.Ordinal);
+        Assert.Single(_run.Errors.TrimEnd().Split('\n'));
+        Assert.Empty(_run.Output);
+    }
+
+    [Theory]
+    [InlineData("--latitude", "-90")]
+    [InlineData("--longitude", "180")]
+    [InlineData("--camera-pitch", "-90")]
+    [InlineData("--camera-yaw", "360")]
+    [InlineData("--height", "100000")]
+    public void Photo_OptionAtTheEndOfItsRange_IsTaken(string option, string value)
+        => Assert.Equal(0, _run.Run(Write("a.jpg", PhotoBytes.Drone()), "--pixel", "30,21", option, value));
+
+    [Fact]
+    public void Photo_OptionsThatMakeNoSenseTogether_AreNamed()
+    {
+        string photo = Write("a.jpg", PhotoBytes.Drone());
+
+        AssertRefused(
+            "--height and --ground-altitude exclude each other: both say where the ground is.",
+            photo, "--pixel", "1,1", "--height", "50", "--ground-altitude", "40");
+        AssertRefused("--focal-length needs --sensor-width.", photo, "--pixel", "1,1", "--focal-length", "4.5");
     }
 
     // Of 61 x 43 pixels, from 50 m above the ground, north up.
