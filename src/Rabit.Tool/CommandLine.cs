@@ -133,7 +133,7 @@ internal static class CommandLine
         return ToolExitCode.BadInput;
     }
 
-    // Names of files are shown as they were typed, but move no cursor.
-    private static string OneLine(string text)
+    /// <summary>A message in one line: names of files are shown as they were typed, but move no cursor.</summary>
+    public static string OneLine(string text)
         => string.Concat(text.Replace("\r\n", " ").Select(c => c is '\n' or '\t' ? ' ' : char.IsControl(c) ? '.' : c));
 }

@@ -81,7 +81,7 @@ internal static class GeolocateCommand
             }
 
             var console = (ToolConsole)result.InvocationConfiguration;
-            return GeolocateRun.Run(options, console.Input, console.Output);
+            return GeolocateRun.Run(options, console.Input, console.Output, console.Error);
         });
         return command;
     }

@@ -10,7 +10,7 @@ internal static class GeolocateRun
 {
     /// <returns>The exit code.</returns>
     /// <exception cref="ToolException">Something is missing, unknown or cannot be read.</exception>
-    public static int Run(GeolocateOptions options, TextReader input, TextWriter output)
+    public static int Run(GeolocateOptions options, TextReader input, TextWriter output, TextWriter errors)
     {
         if (options.FindFault() is { } fault)
             throw new ToolException(fault);
@@ -18,10 +18,24 @@ internal static class GeolocateRun
         if (Array.Find(files, Directory.Exists) is { } folder)
             throw new ToolException($"{folder}: that is a folder.");
         Request request = Read(options, input);
+        if (request.Warning is { } warning)
+            Warn(warning, errors);
         IReadOnlyList<LocatedPixel> pixels = request.Locate();
         if (options.GeoJson is { } file)
             WriteGeoJson(file, pixels);
         return Answer.Write(pixels, request.IsList, options.IsJson, output);
+    }
+
+    private static void Warn(string warning, TextWriter errors)
+    {
+        try
+        {
+            errors.WriteLine($"rabit geolocate: {CommandLine.OneLine(warning)}");
+        }
+        catch (IOException)
+        {
+            // Standard error is closed; the answer is not.
+        }
     }
 
     private static void WriteGeoJson(string file, IReadOnlyList<LocatedPixel> pixels)

@@ -24,6 +24,12 @@ internal sealed class Photo
     public Photo(PhotoMetadata said, GeolocateOptions line)
         => (_said, _line) = (said, line);
 
+    /// <summary>What may be wrongly understood of its pixels, in a line; null where nothing is.</summary>
+    public string? Warning => _said.Orientation is { } orientation and >= 2 and <= 8
+        ? FormattableString.Invariant(
+            $"{_line.Camera}: viewers show it turned (EXIF orientation {orientation}); pixels are those of the stored picture, before it is turned")
+        : null;
+
     /// <summary>A locator of its pixels.</summary>
     /// <exception cref="FormatException">Something is missing; the text names all of it.</exception>
     public PixelGeolocator MakeLocator(TerrainGrid? terrain, out ImagingCommand command)

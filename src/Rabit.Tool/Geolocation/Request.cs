@@ -57,6 +57,9 @@ internal sealed class Request
         };
     }
 
+    /// <summary>What may be wrongly understood, in a line; null where nothing is.</summary>
+    public string? Warning => _photo?.Warning;
+
     /// <summary>Each pixel, in the order in which they were asked for.</summary>
     public IReadOnlyList<LocatedPixel> Locate() => [.. _pixels.Select(Locate)];
 

@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Geodesy.Tests;
 using Rabit.Vision;
@@ -180,6 +181,32 @@ public sealed class PhotoTests : IDisposable
     [InlineData("--height", "100000")]
     public void Photo_OptionAtTheEndOfItsRange_IsTaken(string option, string value)
         => Assert.Equal(0, _run.Run(Write("a.jpg", PhotoBytes.Drone()), "--pixel", "30,21", option, value));
+
+    [Theory]
+    [InlineData(1, false)]
+    [InlineData(2, true)]
+    [InlineData(6, true)]
+    [InlineData(8, true)]
+    [InlineData(9, false)]
+    public void Photo_ThatViewersShowTurned_IsLocatedAsItIsStoredWithAWarning(int orientation, bool isWarned)
+    {
+        (int, object)[] first = [.. PhotoBytes.First.Where(t => t.Tag != 0x112), (0x112, orientation)];
+        byte[] exif = PhotoBytes.Exif(isBig: false, first, PhotoBytes.Detail, PhotoBytes.Gps);
+        string photo = Write("turned.jpg", PhotoBytes.With(exif, PhotoBytes.Xmp(PhotoBytes.DroneXmp)));
+        Assert.Equal(0, _run.Run(Write("a.jpg", PhotoBytes.Drone()), "--pixel", "50,1", "--json"));
+        string upright = _run.Output;
+        Assert.Empty(_run.Errors);
+
+        Assert.Equal(0, _run.Run(photo, "--pixel", "50,1", "--json"));
+
+        Assert.Equal(upright, _run.Output);
+        Assert.Equal(
+            isWarned
+                ? $"{photo}: viewers show it turned (EXIF orientation {orientation}); pixels are those of the stored "
+                    + "picture, before it is turned"
+                : "",
+            _run.Errors.TrimEnd());
+    }
 
     [Fact]
     public void Photo_OptionsThatMakeNoSenseTogether_AreNamed()
