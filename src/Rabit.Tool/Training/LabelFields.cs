@@ -39,6 +39,12 @@ internal sealed class LabelFields
             ? number
             : throw Wrong(name, "a number");
 
+    public double NumberFrom(string name, double min)
+        => Number(name) is var number && number >= min
+            ? number
+            : throw new FormatException(FormattableString.Invariant(
+                $"{_file}: {_prefix}{name} is {number}; it must be {min} at least"));
+
     public string Text(string name)
         => Required(name) is { ValueKind: JsonValueKind.String } value && value.GetString()!.Length > 0
             ? value.GetString()!

@@ -13,6 +13,8 @@ namespace Rabit.Tool.Training;
 /// </summary>
 internal sealed class LabelFile
 {
+    private const double MinMetresPerPixel = 0.0001;
+
     private LabelFile(IReadOnlyList<LabelledPicture> pictures) => Pictures = pictures;
 
     public IReadOnlyList<LabelledPicture> Pictures { get; }
@@ -54,7 +56,8 @@ internal sealed class LabelFile
         return new LabelledPicture
         {
             Path = Path.Combine(folder, fields.Text("file")),
-            MetresPerPixel = fields.Number("metresPerPixel"),
+            Field = where,
+            MetresPerPixel = fields.NumberFrom("metresPerPixel", MinMetresPerPixel),
             Group = fields.Has("group") ? fields.Text("group") : null,
             Boxes = fields.List("boxes").Select((b, i) => Box(b, file, $"{where}.boxes[{i}]")).ToList(),
         };

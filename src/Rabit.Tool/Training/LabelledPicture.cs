@@ -8,6 +8,9 @@ internal sealed class LabelledPicture
 {
     public string Path { get; set; } = "";
 
+    /// <summary>What it is called in its file of labels.</summary>
+    public string Field { get; set; } = "";
+
     public double MetresPerPixel { get; set; }
 
     public string? Group { get; set; }

@@ -9,6 +9,9 @@ namespace Rabit.Tool.Training;
 /// <summary>Reads labels and pictures, trains, and writes the template.</summary>
 internal static class TrainRun
 {
+    // A template without a scale of its own has a pixel of that part of its length.
+    private const int PixelsPerLength = 32;
+
     // Larger than any part of it, so that the bar of the tool is shown.
     private const long Whole = 1L << 40;
 
@@ -22,7 +25,8 @@ internal static class TrainRun
             CheckFolder(output);
             var trainer = new TemplateTrainer(options);
             LabelFile file = LabelFile.Load(labels);
-            TemplateTrainingResult result = Train(trainer, file);
+            double pixel = options.MetresPerPixel ?? options.LengthMetres / PixelsPerLength;
+            TemplateTrainingResult result = Train(trainer, file, labels, pixel);
             result.Template.Save(output);
             Report(result, output, console.Output);
             return ToolExitCode.Done;
@@ -38,7 +42,8 @@ internal static class TrainRun
         }
     }
 
-    private static TemplateTrainingResult Train(TemplateTrainer trainer, LabelFile file)
+    private static TemplateTrainingResult Train(
+        TemplateTrainer trainer, LabelFile file, string labels, double templateMetresPerPixel)
     {
         using var cancellation = new CancellationTokenSource();
         void Cancel(object? sender, ConsoleCancelEventArgs e)
@@ -55,7 +60,9 @@ internal static class TrainRun
             foreach (LabelledPicture picture in file.Pictures)
             {
                 cancellation.Token.ThrowIfCancellationRequested();
-                Add(trainer, reader, picture);
+                RgbPicture pixels = reader.Load(picture.Path);
+                CheckSize(pixels, picture, labels, templateMetresPerPixel);
+                Add(trainer, pixels, picture);
             }
 
             return trainer.Train(part => bar.Show((long)(part * Whole)), cancellation.Token);
@@ -66,11 +73,21 @@ internal static class TrainRun
         }
     }
 
-    private static void Add(TemplateTrainer trainer, PictureReader reader, LabelledPicture picture)
+    // It is made smaller until its pixels are those of the template: one must remain.
+    private static void CheckSize(
+        RgbPicture pixels, LabelledPicture picture, string labels, double templateMetresPerPixel)
+    {
+        double metres = Math.Min(pixels.Width, pixels.Height) * picture.MetresPerPixel;
+        if (metres < templateMetresPerPixel)
+            throw new FormatException(FormattableString.Invariant(
+                $"{labels}: {picture.Field}.metresPerPixel is {picture.MetresPerPixel}: {pixels.Width} x {pixels.Height} pixels of that size are less than one pixel of the template, {templateMetresPerPixel} m"));
+    }
+
+    private static void Add(TemplateTrainer trainer, RgbPicture pixels, LabelledPicture picture)
     {
         try
         {
-            trainer.Add(reader.Load(picture.Path), picture.MetresPerPixel, picture.Boxes, picture.Group);
+            trainer.Add(pixels, picture.MetresPerPixel, picture.Boxes, picture.Group);
         }
         catch (ArgumentException e)
         {

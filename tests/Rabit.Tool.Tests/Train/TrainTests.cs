@@ -42,6 +42,12 @@ public sealed class TrainTests : IDisposable
     [InlineData("{ \"pictures\": [{ \"file\": \"a.png\", \"metresPerPixel\": 3, \"boxes\": [] }] }", "too coarse")]
     [InlineData("{ \"pictures\": [{ \"file\": \"a.png\", \"metresPerPixel\": 0.1, \"boxes\": [] }] }",
         "There are 0 objects to train with; at least 4 are needed.")]
+    [InlineData("{ \"pictures\": [{ \"file\": \"a.png\", \"metresPerPixel\": 1e-9, \"boxes\": [] }] }",
+        "labels.json: pictures[0].metresPerPixel is 1E-09; it must be 0.0001 at least")]
+    [InlineData("{ \"pictures\": [{ \"file\": \"a.png\", \"metresPerPixel\": 0, \"boxes\": [] }] }",
+        "labels.json: pictures[0].metresPerPixel is 0; it must be 0.0001 at least")]
+    [InlineData("{ \"pictures\": [{ \"file\": \"a.png\", \"metresPerPixel\": 0.0014, \"boxes\": [] }] }",
+        "labels.json: pictures[0].metresPerPixel is 0.0014: 160 x 100 pixels of that size are less than one pixel of the")]
     [InlineData("[1]", "the whole must be an object")]
     [InlineData("{", "it is not JSON")]
     public void Train_WrongLabels_NamesThem(string labels, string fault)
@@ -53,6 +59,24 @@ public sealed class TrainTests : IDisposable
         Assert.StartsWith("rabit train: ", Assert.Single(refused.Errors), StringComparison.Ordinal);
         Assert.Contains(fault, refused.Errors[0], StringComparison.Ordinal);
         Assert.False(File.Exists(Output));
+    }
+
+    [Theory]
+    [InlineData("0.00149", 2)]
+    [InlineData("0.0015", 0)]
+    public void Train_PictureOfOnePixelOfTheTemplate_IsTheSmallest(string metresPerPixel, int exitCode)
+    {
+        WritePictures();
+        File.WriteAllText(Labels, $$"""
+            { "pictures": [
+              { "file": "a.png", "metresPerPixel": 0.1, "boxes": [{{Boxes}}] },
+              { "file": "b.png", "metresPerPixel": {{metresPerPixel}}, "boxes": [] } ] }
+            """);
+
+        ToolProcess done = Run();
+
+        Assert.True(done.ExitCode == exitCode, string.Join("\n", done.Errors));
+        Assert.Equal(exitCode == 0 ? 0 : 1, done.Errors.Count);
     }
 
     [Fact]
