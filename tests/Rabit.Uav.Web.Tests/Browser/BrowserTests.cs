@@ -67,7 +67,9 @@ public sealed class BrowserTests(Chromium chromium, ITestOutputHelper output) : 
         await tab.ClickAsync("[data-command=return]");
         await tab.WaitAsync("document.querySelector('[data-command=return]').textContent === 'Return?'");
         Assert.Equal(0, flight.Page.Counters.Commands);
-        Assert.Equal(MissionPhase.Searching, flight.MissionStatus.Phase);
+
+        // On a busy machine it has found a target meanwhile.
+        Assert.Contains(flight.MissionStatus.Phase, new[] { MissionPhase.Searching, MissionPhase.Revisiting });
 
         await tab.ClickAsync("[data-command=return]");
         await tab.WaitForTextAsync("phase", "returning");
