@@ -58,10 +58,12 @@ internal static class CostMode
             ProcessState with = ProcessState.Now();
             long stop = MonotonicClock.Now;
             sleepers.Dispose();
+            long stopped = MonotonicClock.Now;
+            MonotonicClock.SleepMilliseconds(200);   // until its threads have exited: the next subject has the CPUs
             return
             [
                 (started - start) / 1e6,
-                (MonotonicClock.Now - stop) / 1e6,
+                (stopped - stop) / 1e6,
                 (with.HeapBytes - before.HeapBytes) / (double)number,
                 (with.ResidentBytes - before.ResidentBytes) / 1024.0 / number,
                 load,

@@ -33,12 +33,13 @@ internal static class PingPongMode
     {
         int roundTrips = options.Pick(200, 10_000);
         List<Subject> subjects = Baseline(roundTrips, Cpus.Other);
+        Subject words = Row("two words, spinning", new SpinningPingPong(Cpus.One, Cpus.Other), roundTrips);
         Subject sleeping = Row(
             RabitRun.NameOf(WaitEngine.Futex), new RabitPingPong(WaitEngine.Futex, Cpus.One, Cpus.Other), roundTrips);
         Subject spinning = Row(
             "Rabit, SpinBeforeSleep 100 µs", new RabitPingPong(WaitEngine.Futex, Cpus.One, Cpus.Other, MaxSpin),
             roundTrips);
-        Table table = Play([.. subjects, sleeping, spinning], options, roundTrips, "each on a CPU of its own");
+        Table table = Play([.. subjects, words, sleeping, spinning], options, roundTrips, "each on a CPU of its own");
         table.RequireMax(spinning, BothWays, 0.7);
         return table;
     }

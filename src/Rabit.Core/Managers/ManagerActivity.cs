@@ -82,7 +82,8 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
         if (_followUp.IsHalted)
             return NextStep.Never;
 
-        TimeSpan begin = run.Clock.Now;
+        // A wake that a spin found is answered by a clock read less.
+        TimeSpan begin = wakes.SpunUntil > TimeSpan.Zero ? wakes.SpunUntil : run.Clock.Now;
         if (_followUp.IsRestarting)
         {
             // The barrier opens for one whose start-up threw, too; its time comes later.

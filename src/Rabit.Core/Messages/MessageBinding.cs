@@ -29,6 +29,9 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
     /// <summary>The value before the first post, where this endpoint states one.</summary>
     public T Initial { get; init; } = default!;
 
+    /// <summary>Whether its first post allocates what it takes to post, so that one that never posts has none.</summary>
+    public bool PostsRarely { get; init; }
+
     public SharedMessage<T>? Shared { get; private set; }
 
     public override bool IsWired => Shared is not null;
@@ -122,7 +125,7 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
 
         // All endpoints of a manager for one message share its local copy; endpoints outside managers have one each.
         _copy = Owner.IsManager && firstOfOwner is MessageBinding<T> first ? first._copy! : Shared.CreateCopy();
-        if (Role == EndpointRole.Publish)
+        if (Role == EndpointRole.Publish && !PostsRarely)
             Shared.Equip(_copy, Owner);
         if (Role != EndpointRole.Subscribe)
             return;

@@ -17,12 +17,13 @@ internal sealed class ActivityThread : IDisposable
     private readonly SharedCpus _cpus;
     private readonly object _changed;   // the engine's; pulsed when one of the two marks below is set
     private readonly Action<Exception> _fail;
+    private readonly ThreadExits _exits;
     private bool _hasBegun;             // written once by the thread, read by the reactor's
     private bool _hasEnded;             // same
 
     public ActivityThread(
         Activity activity, EngineContext context, IWaitSignal signal, RealTimeSetup realTime, SharedCpus cpus,
-        object changed)
+        object changed, ThreadExits exits)
     {
         _activity = activity;
         _clock = context.Clock;
@@ -31,6 +32,7 @@ internal sealed class ActivityThread : IDisposable
         _realTime = realTime;
         _cpus = cpus;
         _changed = changed;
+        _exits = exits;
         _activity.WakeUp.Connect(_signal, _clock);
     }
 
@@ -41,7 +43,7 @@ internal sealed class ActivityThread : IDisposable
     public bool HasEnded => Volatile.Read(ref _hasEnded);
 
     // A background thread: a manager that hangs is reported, and does not keep the process alive.
-    public void Start() => new Thread(Run) { Name = _activity.Name, IsBackground = true }.Start();
+    public void Start() => new Thread(Run) { IsBackground = true }.Start();
 
     public void Dispose()
     {
@@ -54,6 +56,8 @@ internal sealed class ActivityThread : IDisposable
     {
         try
         {
+            // To its own thread a name is one call; to another's it is three on a file, while the reactor waits.
+            Thread.CurrentThread.Name = _activity.Name;
             Live();
         }
         catch (Exception e)
@@ -62,6 +66,7 @@ internal sealed class ActivityThread : IDisposable
         }
 
         Announce(ref _hasEnded);
+        _exits.Wait();
     }
 
     private void Live()

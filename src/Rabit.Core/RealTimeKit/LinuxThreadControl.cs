@@ -40,10 +40,15 @@ internal sealed unsafe class LinuxThreadControl : IThreadControl
             var cpus = new List<int>();
             if (sched_getaffinity(0, Length, set) >= 0)
             {
-                for (int cpu = 0; cpu < WordsOfCpus * BitsPerWord; cpu++)
+                // Every thread asks for its own as it starts.
+                for (int word = 0; word < WordsOfCpus; word++)
                 {
-                    if ((set[cpu / BitsPerWord] & (1UL << (cpu % BitsPerWord))) != 0)
-                        cpus.Add(cpu);
+                    int cpu = word * BitsPerWord;
+                    for (ulong left = set[word]; left != 0; left >>= 1, cpu++)
+                    {
+                        if ((left & 1) != 0)
+                            cpus.Add(cpu);
+                    }
                 }
             }
 

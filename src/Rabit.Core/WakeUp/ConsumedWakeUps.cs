@@ -5,7 +5,8 @@ namespace Rabit.Core.WakeUp;
 /// <summary>
 /// What a sleeper consumes when it wakes: the causes, how many wakes they came from, and whether to stop instead.
 /// </summary>
-internal readonly struct ConsumedWakeUps(WakeUpCauses causes, int count, bool stop, TimeSpan spun = default)
+internal readonly struct ConsumedWakeUps(
+    WakeUpCauses causes, int count, bool stop, TimeSpan spun = default, TimeSpan spunUntil = default)
 {
     public WakeUpCauses Causes { get; } = causes;
 
@@ -16,6 +17,11 @@ internal readonly struct ConsumedWakeUps(WakeUpCauses causes, int count, bool st
     /// <summary>How long the sleeper looked for them before it slept, or instead.</summary>
     public TimeSpan Spun { get; } = spun;
 
+    /// <summary>
+    /// When that look ended, where no sleep followed: what the clock has just shown. Zero elsewhere.
+    /// </summary>
+    public TimeSpan SpunUntil { get; } = spunUntil;
+
     public ConsumedWakeUps With(ConsumedWakeUps later)
         => new(Causes | later.Causes, Count + later.Count, Stop || later.Stop, Spun + later.Spun);
 
@@ -25,5 +31,6 @@ internal readonly struct ConsumedWakeUps(WakeUpCauses causes, int count, bool st
 
     public ConsumedWakeUps With(WakeUpCauses more) => new(Causes | more, Count, Stop, Spun);
 
-    public ConsumedWakeUps AfterSpin(TimeSpan spun) => new(Causes, Count, Stop, spun);
+    public ConsumedWakeUps AfterSpin(TimeSpan spun, TimeSpan until = default)
+        => new(Causes, Count, Stop, spun, until);
 }

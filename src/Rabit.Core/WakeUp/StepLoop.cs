@@ -43,9 +43,11 @@ internal sealed class StepLoop<TSync>(
     {
         wokenAt = null;
         TimeSpan spun = next.Spin > TimeSpan.Zero && permit?.IsGiven != false ? Spin(next) : default;
+        TimeSpan spunUntil = spun > TimeSpan.Zero ? next.NotBefore + spun : default;
         bool mayBeOver = (next.Due - next.NotBefore).Ticks < ShortSleepTicks || spun > TimeSpan.Zero;
         while (wakeUp.TryPrepareToWait(next.Wanted, next.Lends))
         {
+            spunUntil = default;
             if (!mayBeOver || clock.Now < next.Due)
                 signal.Wait(next.Due);
             while (next.Lends && !wakeUp.TakeBack())
@@ -63,10 +65,10 @@ internal sealed class StepLoop<TSync>(
             }
         }
 
-        return wakeUp.Consume().AfterSpin(spun);
+        return wakeUp.Consume().AfterSpin(spun, spunUntil);
     }
 
-    // From the end of the step, when the clock was read last.
+    // From the end of the step, when the clock was read last, to now.
     private TimeSpan Spin(NextStep next)
     {
         TimeSpan end = Times.Earlier(Times.Later(next.NotBefore, next.Spin), next.Due);

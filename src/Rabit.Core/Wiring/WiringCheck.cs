@@ -23,8 +23,10 @@ internal static class WiringCheck
             .Where(g => g.Count() > 1)
             .Select(g => $"{g.Count()} managers are named '{g.Key}'."));
 
+        // What is wrong with a type is looked up once: each manager has a message of the same type, its status.
+        var faultsOfTypes = new Dictionary<Type, string?>();
         foreach (IReadOnlyList<EndpointDeclaration> endpoints in wiring.Messages.Values)
-            CheckMessage(wiring, endpoints, trusted, absent, faults);
+            CheckMessage(wiring, endpoints, FaultOfType, absent, faults);
         foreach (IReadOnlyList<EndpointDeclaration> endpoints in wiring.Queues.Values)
             CheckQueue(wiring, endpoints, absent, faults);
 
@@ -46,6 +48,17 @@ internal static class WiringCheck
         }
 
         return faults;
+
+        string? FaultOfType(EndpointDeclaration endpoint)
+        {
+            if (!faultsOfTypes.TryGetValue(endpoint.ValueType, out string? fault))
+            {
+                fault = MessageTypeCheck.FindFault(endpoint.ValueType, endpoint.CopiesItself, trusted);
+                faultsOfTypes.Add(endpoint.ValueType, fault);
+            }
+
+            return fault;
+        }
     }
 
     /// <summary>Queues whose values sender and receiver could share and change; a line each.</summary>
@@ -63,7 +76,7 @@ internal static class WiringCheck
     }
 
     private static void CheckMessage(
-        WiringGraph wiring, IReadOnlyList<EndpointDeclaration> endpoints, IReadOnlyCollection<Type> trusted,
+        WiringGraph wiring, IReadOnlyList<EndpointDeclaration> endpoints, Func<EndpointDeclaration, string?> faultOfType,
         IReadOnlyList<AbsentManager> absent, List<string> faults)
     {
         string name = endpoints[0].Name;
@@ -86,7 +99,7 @@ internal static class WiringCheck
         if (publishers.Count(p => p.StatesInitial) > 1 && !publishers.All(p => p.IsShared))
             faults.Add($"Message '{name}': more than one endpoint states the first value.");
 
-        if (MessageTypeCheck.FindFault(endpoints[0].ValueType, endpoints[0].CopiesItself, trusted) is { } why)
+        if (faultOfType(endpoints[0]) is { } why)
             faults.Add($"Message '{name}': {why}");
         else if (!endpoints[0].ValueType.IsValueType && !endpoints.Any(e => e.StatesInitial) && publishers.Count > 0)
             faults.Add($"Message '{name}': {TypeNames.Of(endpoints[0].ValueType)} is a class, so its publisher "

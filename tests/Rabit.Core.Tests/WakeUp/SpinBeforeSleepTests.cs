@@ -33,6 +33,7 @@ public sealed class SpinBeforeSleepTests : IDisposable
 
         Assert.Equal((WakeUpCauses.Push, 1, 0), (wakes.Causes, wakes.Count, _signal.Waits));
         Assert.InRange(wakes.Spun.Ticks, 10, 100);
+        Assert.Equal(wakes.Spun, wakes.SpunUntil);   // it spins from time zero on
         Assert.Null(wokenAt);
     }
 
@@ -46,6 +47,7 @@ public sealed class SpinBeforeSleepTests : IDisposable
 
         Assert.Equal((WakeUpCauses.Post, 1), (wakes.Causes, _signal.Waits));
         Assert.InRange(wakes.Spun, Spin, Spin + TimeSpan.FromTicks(20));
+        Assert.Equal(TimeSpan.Zero, wakes.SpunUntil);   // the sleep has made it old
         Assert.NotNull(wokenAt);
     }
 
