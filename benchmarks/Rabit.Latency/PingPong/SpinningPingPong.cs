@@ -5,7 +5,7 @@ using Rabit.Latency.Native;
 namespace Rabit.Latency.PingPong;
 
 /// <summary>
-/// A word for each way, written interlocked and looked at without end: the least that two CPUs take to tell each other.
+/// A word for each way, written interlocked and looked at without end: the least that two CPUs take.
 /// Its threads live as long as a round, since they take both CPUs.
 /// </summary>
 internal sealed class SpinningPingPong(int cpu, int answererCpu) : PingPongTarget

@@ -29,7 +29,7 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
     /// <summary>The value before the first post, where this endpoint states one.</summary>
     public T Initial { get; init; } = default!;
 
-    /// <summary>Whether its first post allocates what it takes to post, so that one that never posts has none.</summary>
+    /// <summary>Whether its first post allocates what it takes to post: one that never posts has none.</summary>
     public bool PostsRarely { get; init; }
 
     public SharedMessage<T>? Shared { get; private set; }

@@ -230,10 +230,7 @@ public sealed partial class RabitWorkspace
     internal StatusEndpoint StatusEndpointOf(string managerName)
     {
         var binding = new MessageBinding<ManagerStatus>(
-            NewOwner(), EndpointRole.Publish, RabitManager.StatusMessageName(managerName))
-        {
-            PostsRarely = true,   // only when the manager hangs
-        };
+            NewOwner(), EndpointRole.Publish, RabitManager.StatusMessageName(managerName)) { PostsRarely = true };
         lock (_gate)
             BindLate(binding);
         return new StatusEndpoint(binding);

@@ -76,8 +76,8 @@ internal static class WiringCheck
     }
 
     private static void CheckMessage(
-        WiringGraph wiring, IReadOnlyList<EndpointDeclaration> endpoints, Func<EndpointDeclaration, string?> faultOfType,
-        IReadOnlyList<AbsentManager> absent, List<string> faults)
+        WiringGraph wiring, IReadOnlyList<EndpointDeclaration> endpoints,
+        Func<EndpointDeclaration, string?> faultOfType, IReadOnlyList<AbsentManager> absent, List<string> faults)
     {
         string name = endpoints[0].Name;
         if (!HaveOneType(endpoints, $"Message '{name}'", faults))

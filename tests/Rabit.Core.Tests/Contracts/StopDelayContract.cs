@@ -263,6 +263,20 @@ public abstract class StopDelayContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "1.9")]
+    public void DelaysStop_SetWhenTheRunStops_DelaysNothing()
+    {
+        using var run = new TestRun(Kind);
+        ScriptedManager manager = run.Add("m");
+        manager.OnShutdown = () => manager.DelaysStop = true;
+        run.StartAndSettle();
+
+        ReactorResult result = run.Finish();
+
+        Assert.Equal((TimeSpan.Zero, 0), (result.StopDelay, result.ExitCode));
+        Assert.False(manager.IsDelaying);
+    }
+
+    [Fact, Trait("Clause", "1.9")]
     public void DelaysStop_SetOnAnotherThread_IsRefused()
     {
         using TestRun run = NewDelayingRun(Hour, out ScriptedManager holder);

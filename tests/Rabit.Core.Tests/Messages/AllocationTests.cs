@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using System.Reflection;
 using Rabit.Core.Tests.Contracts;
 using Xunit;
@@ -40,6 +41,30 @@ public sealed class AllocationTests
             _ = subscriber.Stamp;
         });
         Assert.NotEqual(0, handled);
+    }
+
+    [Fact, Trait("Clause", "2.5")]
+    public void Post_FirstOfItsMessage_AllocatesNothing()
+    {
+        using var run = new TestRun(TimeKind.Real);
+        ScriptedManager manager = run.Add("m");
+        MessagePublisher<Sample>[] publishers =
+            [.. Enumerable.Range(0, 20).Select(i => manager.Publish<Sample>($"{i}"))];
+
+        run.StartAndSettle();
+
+        // One after the other, each once: the first few compile the code and load its types.
+        long last = -1;
+        run.On(manager, () =>
+        {
+            foreach (MessagePublisher<Sample> publisher in publishers)
+            {
+                long before = AllocatedBytes();
+                publisher.PostStamped(TimeSpan.Zero);
+                last = AllocatedBytes() - before;
+            }
+        });
+        Assert.Equal(0, last);
     }
 
     [Fact, Trait("Clause", "2.5")]

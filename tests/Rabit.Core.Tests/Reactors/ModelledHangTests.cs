@@ -57,6 +57,24 @@ public sealed class ModelledHangTests
         Assert.Equal(1, result.Managers[0].HangCount);
     }
 
+    [Fact, Trait("Clause", "4.5")]
+    public void LongUnit_RunEndsBeforeIt_IsBackBeforeTheShutdown()
+    {
+        using TestRun run = NewRun(TimeSpan.FromSeconds(8), out ScriptedManager hanging, HangPolicy.Report);
+        int entriesBeforeShutdown = 0;
+        hanging.OnShutdown = () => entriesBeforeShutdown = run.Log.Count;
+
+        run.Start();
+        run.Reactor.RunFor(TimeSpan.FromSeconds(9));
+        ReactorResult result = run.Finish();
+
+        Assert.Equal(1, result.Managers[0].HangCount);
+        int back = run.Log.ToList().FindIndex(
+            e => e.Kind == RabitLogKind.Hang && e.Text.EndsWith("at 11.000 s", StringComparison.Ordinal));
+        Assert.InRange(back, 0, entriesBeforeShutdown - 1);
+        Assert.Equal(ManagerState.Stopped, result.Managers[0].Status.State);
+    }
+
     [Fact, Trait("Clause", "4.5"), Trait("Clause", "5.2")]
     public void LongUnit_OneSeed_OneLog()
     {

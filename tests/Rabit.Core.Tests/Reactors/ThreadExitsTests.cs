@@ -10,20 +10,19 @@ namespace Rabit.Core.Tests.Reactors;
 
 public sealed class ThreadExitsTests
 {
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(30);
-
     [Fact]
     public void Open_WithThreadsThatWait_LetsAllGo()
     {
         var exits = new ThreadExits(TimeSpan.FromHours(1));
         Thread[] threads = Start(exits.Wait, 5);
         Assert.True(
-            SpinWait.SpinUntil(() => threads.All(t => (t.ThreadState & ThreadState.WaitSleepJoin) != 0), Patience),
+            SpinWait.SpinUntil(
+                () => threads.All(t => (t.ThreadState & ThreadState.WaitSleepJoin) != 0), TestTimeout.Limit),
             "the threads wait");
 
         exits.Open();
 
-        Assert.All(threads, t => Assert.True(t.Join(Patience)));
+        Assert.All(threads, t => Assert.True(t.Join(TestTimeout.Limit)));
     }
 
     [Fact]
@@ -33,7 +32,7 @@ public sealed class ThreadExitsTests
 
         exits.Open();
 
-        Assert.All(Start(exits.Wait, 3), t => Assert.True(t.Join(Patience)));
+        Assert.All(Start(exits.Wait, 3), t => Assert.True(t.Join(TestTimeout.Limit)));
     }
 
     [Fact]
@@ -41,7 +40,7 @@ public sealed class ThreadExitsTests
     {
         var exits = new ThreadExits(TimeSpan.FromMilliseconds(1));
 
-        Assert.All(Start(exits.Wait, 3), t => Assert.True(t.Join(Patience)));
+        Assert.All(Start(exits.Wait, 3), t => Assert.True(t.Join(TestTimeout.Limit)));
     }
 
     [Fact, Trait("Clause", "4.3")]
@@ -56,7 +55,7 @@ public sealed class ThreadExitsTests
         run.Finish();
 
         Assert.Equal(3, threads.Count);
-        Assert.All(threads, t => Assert.True(t.Join(Patience)));
+        Assert.All(threads, t => Assert.True(t.Join(TestTimeout.Limit)));
     }
 
     private static Thread[] Start(ThreadStart wait, int count)

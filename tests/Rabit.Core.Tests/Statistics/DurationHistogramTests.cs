@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using System.Reflection;
 using Rabit.Core.Statistics;
 using Xunit;
 
@@ -57,6 +58,24 @@ public sealed class DurationHistogramTests
         histogram.Percentiles(out TimeSpan half, out TimeSpan p99, out TimeSpan p999);
 
         Assert.Equal((expected, expected, expected), (half.Ticks, p99.Ticks, p999.Ticks));
+    }
+
+    [Fact, Trait("Clause", "4.4")]
+    public void Add_ToAFullStep_ChangesNothing()
+    {
+        var histogram = new DurationHistogram();
+        histogram.Add(TimeSpan.FromTicks(3));
+        FieldInfo field = typeof(DurationHistogram)
+            .GetField("_counts", BindingFlags.Instance | BindingFlags.NonPublic)!;
+        var counts = (int[])field.GetValue(histogram)!;
+        int step = Array.IndexOf(counts, 1);
+        counts[step] = int.MaxValue;   // as after years
+
+        histogram.Add(TimeSpan.FromTicks(3));
+        histogram.Percentiles(out TimeSpan half, out _, out TimeSpan p999);
+
+        Assert.Equal(int.MaxValue, counts[step]);
+        Assert.Equal((3, 3), (half.Ticks, p999.Ticks));
     }
 
     [Fact, Trait("Clause", "4.4")]
