@@ -117,9 +117,6 @@ internal sealed class ExportedFlight(FlightSummary summary)
     /// <summary>Confirmed or lost.</summary>
     public static string StateOf(TargetTrack target) => target.State.ToString().ToLowerInvariant();
 
-    /// <summary>Rounded to a centimetre.</summary>
-    public static decimal Degrees(Angle angle) => (decimal)Math.Round(angle.Degrees, 7);
-
     private static (double X, double Y) Offset(GeodeticPosition position, GeodeticPosition origin)
         => (position.Longitude.Radians - origin.Longitude.Radians, position.Latitude.Radians - origin.Latitude.Radians);
 }

@@ -14,9 +14,11 @@ namespace Rabit.Uav.Reporting.Exports;
 internal sealed class GeoJsonExport
 {
     private readonly Utf8JsonWriter _json;
+    private readonly GeoJsonFeatures _features;
     private readonly ExportedFlight _flight;
 
-    private GeoJsonExport(Utf8JsonWriter json, ExportedFlight flight) => (_json, _flight) = (json, flight);
+    private GeoJsonExport(Utf8JsonWriter json, ExportedFlight flight)
+        => (_json, _features, _flight) = (json, new GeoJsonFeatures(json), flight);
 
     public static void Write(Stream output, FlightSummary summary)
     {
@@ -26,9 +28,7 @@ internal sealed class GeoJsonExport
 
     private void Write()
     {
-        _json.WriteStartObject();
-        _json.WriteString("type", "FeatureCollection");
-        _json.WriteStartArray("features");
+        _features.BeginCollection();
         WritePlan();
         WriteSeenGround();
         WritePath();
@@ -36,36 +36,35 @@ internal sealed class GeoJsonExport
             WriteTarget(target);
         foreach (TargetScore truth in _flight.Truth)
             WriteTruth(truth);
-        _json.WriteEndArray();
-        _json.WriteEndObject();
+        _features.EndCollection();
     }
 
     private void WritePlan()
     {
         if (_flight.Plan is not { } plan)
             return;
-        BeginFeature("home");
+        _features.Begin("home");
         _json.WriteString("name", _flight.Name);
-        WriteNumber("altitudeAmslMetres", plan.Home.AltitudeAmslMetres, 2);
-        BeginGeometry("Point");
+        _features.WriteNumber("altitudeAmslMetres", plan.Home.AltitudeAmslMetres, 2);
+        _features.BeginGeometry("Point");
         WritePosition(plan.Home);
-        EndFeature();
+        _features.End();
         foreach ((string kind, IReadOnlyList<GeodeticPosition> corners) in _flight.Polygons())
         {
-            BeginFeature(kind);
-            BeginGeometry("Polygon");
+            _features.Begin(kind);
+            _features.BeginGeometry("Polygon");
             WritePolygon(ExportedFlight.Ring(corners), []);
-            EndFeature();
+            _features.End();
         }
 
         int number = 0;
         foreach ((GeodeticPosition start, GeodeticPosition end) in _flight.Lanes())
         {
-            BeginFeature("lane");
+            _features.Begin("lane");
             _json.WriteNumber("number", ++number);
-            BeginGeometry("LineString");
+            _features.BeginGeometry("LineString");
             WritePositions([start, end]);
-            EndFeature();
+            _features.End();
         }
     }
 
@@ -73,16 +72,16 @@ internal sealed class GeoJsonExport
     {
         if (_flight.SeenGround() is not { Count: > 0 } patches)
             return;
-        BeginFeature("coverage");
-        WriteNumber("coveragePercent", _flight.CoveragePercent, 2);
-        BeginGeometry("MultiPolygon");
+        _features.Begin("coverage");
+        _features.WriteNumber("coveragePercent", _flight.CoveragePercent, 2);
+        _features.BeginGeometry("MultiPolygon");
         _json.WriteStartArray();
         foreach (SeenPatch patch in patches)
             WritePolygon(
                 ExportedFlight.Ring(patch.Outline),
                 patch.Holes.Select(h => ExportedFlight.Ring(h, isHole: true)));
         _json.WriteEndArray();
-        EndFeature();
+        _features.End();
     }
 
     // A line has two places at least. One entry of each array for each place.
@@ -91,42 +90,42 @@ internal sealed class GeoJsonExport
         IReadOnlyList<FlightSample> path = _flight.Path;
         if (path.Count < 2)
             return;
-        BeginFeature("path");
+        _features.Begin("path");
         WriteArray("timeSeconds", path.Select(s => s.Time.TotalSeconds), 3);
         WriteArray("altitudeAmslMetres", path.Select(s => s.Position.AltitudeAmslMetres), 2);
         WriteArray("heightAboveHomeMetres", path.Select(s => s.HeightAboveHomeMetres), 2);
-        BeginGeometry("LineString");
+        _features.BeginGeometry("LineString");
         WritePositions(path.Select(s => s.Position));
-        EndFeature();
+        _features.End();
     }
 
     private void WriteTarget(TargetTrack target)
     {
-        BeginFeature("target");
+        _features.Begin("target");
         WriteTargetFacts(target);
-        WriteNumber("ellipse95HalfMajorAxisMetres", target.Covariance.HalfMajorAxis95Metres, 3);
-        WriteNumber("ellipse95HalfMinorAxisMetres", target.Covariance.HalfMinorAxis95Metres, 3);
-        WriteNumber("ellipseMajorAxisDegrees", target.Covariance.MajorAxis.Degrees, 2);
+        _features.WriteNumber("ellipse95HalfMajorAxisMetres", target.Covariance.HalfMajorAxis95Metres, 3);
+        _features.WriteNumber("ellipse95HalfMinorAxisMetres", target.Covariance.HalfMinorAxis95Metres, 3);
+        _features.WriteNumber("ellipseMajorAxisDegrees", target.Covariance.MajorAxis.Degrees, 2);
         _json.WriteNumber("reports", target.Reports);
         if (target.Bearing is { } bearing)
         {
-            WriteNumber("bearingDegrees", bearing.Angle.Degrees, 2);
-            WriteNumber("bearingDeviationDegrees", bearing.TotalSigma.Degrees, 2);
+            _features.WriteNumber("bearingDegrees", bearing.Angle.Degrees, 2);
+            _features.WriteNumber("bearingDeviationDegrees", bearing.TotalSigma.Degrees, 2);
             _json.WriteString("bearingSymmetry", bearing.Symmetry.ToString());
         }
 
-        WriteNumber("firstSeenSeconds", target.FirstSeen.TotalSeconds, 3);
-        WriteNumber("lastSeenSeconds", target.LastSeen.TotalSeconds, 3);
-        BeginGeometry("Point");
+        _features.WriteNumber("firstSeenSeconds", target.FirstSeen.TotalSeconds, 3);
+        _features.WriteNumber("lastSeenSeconds", target.LastSeen.TotalSeconds, 3);
+        _features.BeginGeometry("Point");
         WritePosition(target.Position);
-        EndFeature();
+        _features.End();
         if (ExportedFlight.Ellipse(target) is not { Count: > 0 } ellipse)
             return;
-        BeginFeature("ellipse95");
+        _features.Begin("ellipse95");
         WriteTargetFacts(target);
-        BeginGeometry("Polygon");
+        _features.BeginGeometry("Polygon");
         WritePolygon(ExportedFlight.Ring(ellipse), []);
-        EndFeature();
+        _features.End();
     }
 
     private void WriteTargetFacts(TargetTrack target)
@@ -138,36 +137,13 @@ internal sealed class GeoJsonExport
 
     private void WriteTruth(TargetScore truth)
     {
-        BeginFeature("truth");
+        _features.Begin("truth");
         _json.WriteString("name", ExportedFlight.Printable(truth.Name));
         _json.WriteString("class", ExportedFlight.Printable(TargetClassNames.Name(truth.Class)));
         _json.WriteBoolean("found", truth.IsFound);
-        BeginGeometry("Point");
+        _features.BeginGeometry("Point");
         WritePosition(truth.Position);
-        EndFeature();
-    }
-
-    // Properties are written between the two.
-    private void BeginFeature(string kind)
-    {
-        _json.WriteStartObject();
-        _json.WriteString("type", "Feature");
-        _json.WriteStartObject("properties");
-        _json.WriteString("kind", kind);
-    }
-
-    private void BeginGeometry(string type)
-    {
-        _json.WriteEndObject();
-        _json.WriteStartObject("geometry");
-        _json.WriteString("type", type);
-        _json.WritePropertyName("coordinates");
-    }
-
-    private void EndFeature()
-    {
-        _json.WriteEndObject();
-        _json.WriteEndObject();
+        _features.End();
     }
 
     private void WritePolygon(
@@ -189,12 +165,7 @@ internal sealed class GeoJsonExport
     }
 
     private void WritePosition(GeodeticPosition position)
-    {
-        _json.WriteStartArray();
-        _json.WriteNumberValue(ExportedFlight.Degrees(position.Longitude));
-        _json.WriteNumberValue(ExportedFlight.Degrees(position.Latitude));
-        _json.WriteEndArray();
-    }
+        => _features.WritePosition(position.Longitude.Degrees, position.Latitude.Degrees);
 
     private void WriteArray(string name, IEnumerable<double> values, int decimals)
     {
@@ -208,14 +179,5 @@ internal sealed class GeoJsonExport
         }
 
         _json.WriteEndArray();
-    }
-
-    // JSON has no NaN.
-    private void WriteNumber(string name, double value, int decimals)
-    {
-        if (Math.Abs(value) < 1e15)
-            _json.WriteNumber(name, (decimal)Math.Round(value, decimals));
-        else
-            _json.WriteNull(name);
     }
 }
