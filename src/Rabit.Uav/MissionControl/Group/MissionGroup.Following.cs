@@ -148,10 +148,6 @@ internal sealed partial class MissionGroup
         }
     }
 
-    // What is followed may be handed over to us. What has no follower is waited for only if we can be the one.
-    private bool IsFollowingPending(MissionFlight flight) => _following?.Entries.Any(
-        e => !e.IsOver && (e.Task.Follower != 0 || SecondsTo(flight, e) is not null)) == true;
-
     private void TakeOwnReports(MissionFlight flight, in CameraObservation observation)
     {
         if (CurrentFollow is not { Entry.Task: var task })

@@ -181,7 +181,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
             ? $"our lanes are flown; others still searching: {MissionNumbers.Of(busy)}"
             : !HasOthers(flight) ? null
             : _validation?.IsPending == true ? "our lanes are flown; targets are still being validated"
-            : IsFollowingPending(flight) ? "our lanes are flown; a target is still followed"
+            : _following?.IsPending == true ? "our lanes are flown; a target is still followed"
             : null;
     }
 

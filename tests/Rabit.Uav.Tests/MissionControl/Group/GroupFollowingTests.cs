@@ -137,6 +137,28 @@ public sealed class GroupFollowingTests
         Assert.All(rig.Rigs, r => Assert.Equal(MissionOutcome.Accomplished, r.Status.Result.Outcome));
     }
 
+    // Nothing is kept from being searched any more.
+    [Fact]
+    public void Target_NoBudgetAndAllIsSeen_IsFollowed()
+    {
+        using GroupRig rig = Open(1, followSeconds: 20, maxWayFraction: 0.001);
+        Add(rig, _ => (200, 20));
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.Equal(FollowResult.Followed, Assert.Single(Tasks(rig)).Result);
+    }
+
+    [Fact]
+    public void Target_NoBudgetAndLanesAreLeft_IsLeftOutAndLoggedOnce()
+    {
+        using GroupRig rig = Open(2, followSeconds: 20, maxWayFraction: 0.001);
+        Add(rig, _ => (200, 20));
+        Assert.True(rig.RunUntil(() => Tasks(rig).Count > 0, 600), rig.Story);
+        rig.Run(20);
+        Assert.Empty(Following(rig));
+        Assert.All(
+            rig.Rigs, r => Assert.Single(r.Decisions, d => d.Contains("revisits 0.0 m are used: not for us")));
+    }
+
     // Nearer to each other than two tracks of one target may be.
     [Fact]
     public void Targets_TwoBesideEachOther_AreBothFollowed()
@@ -243,12 +265,15 @@ public sealed class GroupFollowingTests
     }
 
     private static GroupRig Open(
-        int vehicles, int seed = 1, double followSeconds = 20, string area = Field, int firstLayer = 0)
+        int vehicles, int seed = 1, double followSeconds = 20, string area = Field, int firstLayer = 0,
+        double maxWayFraction = 2)
         => new(
             vehicles,
             MissionRig.Mission(
                 ", \"targetMotions\": { \"red\": \"walking\" }, "
-                    + "\"revisit\": { \"maxWayFraction\": 2, \"followSeconds\": "
+                    + "\"revisit\": { \"maxWayFraction\": "
+                    + maxWayFraction.ToString(System.Globalization.CultureInfo.InvariantCulture)
+                    + ", \"followSeconds\": "
                     + followSeconds.ToString(System.Globalization.CultureInfo.InvariantCulture) + " }",
                 area),
             seed,
