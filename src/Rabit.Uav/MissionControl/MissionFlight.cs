@@ -214,6 +214,15 @@ internal sealed class MissionFlight(
         Route.SkipLeg();
     }
 
+    /// <summary>Leaves the leg to fly now; what is missing of it may be flown over later.</summary>
+    public void LeaveLane(string why)
+    {
+        if (Route?.Current is null)
+            return;
+        Log($"lane {MissionNumbers.Of(Route.Flown + 1)} of {MissionNumbers.Of(Route.Count)} is left: {why}");
+        Route.FinishLeg();
+    }
+
     /// <summary>
     /// How much of an interrupted lane is flown again: what the last pictures before showed may not have been seen.
     /// </summary>

@@ -18,6 +18,7 @@ internal sealed class MissionMachine
     private TimeSpan _lastTick;
     private TimeSpan _activeSince;
     private bool _couldAct = true;
+    private bool _givesWay;
 
     public MissionMachine(MissionFlight flight)
     {
@@ -103,7 +104,7 @@ internal sealed class MissionMachine
             if (!isUnderway && !isDown && !_flight.IsFixedWing)
                 _flight.Commands.Resend();
         }
-        else
+        else if (!_givesWay)
         {
             _flight.ActiveTime += _flight.Now - _lastTick;
         }
@@ -113,6 +114,13 @@ internal sealed class MissionMachine
             return step;
         if (OperatorRules.IsCommand(step.What))
             _flight.Operator.Refuse($"nothing changes in phase {Phase}");
+        _givesWay = false;
+        if (IsOnLeg && _flight.Group is { } group && group.KeepClear(_flight, out string? blockedBy))
+        {
+            _givesWay = true;
+            return blockedBy is null ? MissionStep.Stay : _state.LeaveLeg(_flight, blockedBy);
+        }
+
         step = _state.Tick(_flight, _flight.ActiveTime - _activeSince);
         return step.What == MissionEvent.None && IsOnLeg ? _progress.Check(_flight) : step;
     }
@@ -139,6 +147,7 @@ internal sealed class MissionMachine
         _flight.Text = step.Reason;
         _flight.Log($"{from} -> {to}: {step.Reason}");
         _state.Leave(_flight);
+        _flight.Group?.EndGiveWay();
         if (from == MissionPhase.HandedOver)
             _failsafes.Reset();
         _state = _states[to];

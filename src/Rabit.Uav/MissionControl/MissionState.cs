@@ -35,6 +35,11 @@ internal abstract class MissionState(MissionPhase phase)
     /// </param>
     public abstract MissionStep Tick(MissionFlight flight, TimeSpan inPhase);
 
+    /// <summary>Called where another vehicle stays in the way: what is flown now is left.</summary>
+    /// <param name="flight">The state of the mission.</param>
+    /// <param name="why">Why, as text.</param>
+    public virtual MissionStep LeaveLeg(MissionFlight flight, string why) => MissionStep.Stay;
+
     protected static MissionStep ReturnToLaunch(string reason) => new(MissionEvent.ReturnToLaunch, reason);
 
     protected static MissionStep Impossible(string reason) => new(MissionEvent.Impossible, reason);

@@ -35,6 +35,14 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
         _climbYaw = flight.Vehicle.Attitude.Yaw.Radians;
     }
 
+    /// <summary>To the next lane; while it climbs it waits.</summary>
+    public override MissionStep LeaveLeg(MissionFlight flight, string why)
+    {
+        if (_climbAt is null)
+            flight.LeaveLane(why);
+        return MissionStep.Stay;
+    }
+
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
         if (flight.Commands.Failures >= MaxFailures)

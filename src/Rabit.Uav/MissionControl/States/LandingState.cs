@@ -16,12 +16,17 @@ internal sealed class LandingState() : MissionState(MissionPhase.Landing)
     private static readonly TimeSpan AutoDisarmTimeout = TimeSpan.FromSeconds(10);
     private static readonly TimeSpan RetryAfter = TimeSpan.FromSeconds(2);
 
+    // For others of the group below: who flies a lane has passed by then.
+    private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(10);
+
     private bool _isOurLanding;
+    private bool _mayWait;
     private TimeSpan _limit;
     private TimeSpan? _onGround;
 
     public override void Enter(MissionFlight flight, MissionEvent by, string reason)
     {
+        _mayWait = by == MissionEvent.OperatorLand && !flight.IsFixedWing;
         _isOurLanding = by is MissionEvent.LandNow or MissionEvent.OperatorLand;
         _limit = Seconds(TimeReserveSeconds + (Math.Max(0, flight.HeightMetres) / MinDescentRate));
         _onGround = null;
@@ -40,7 +45,9 @@ internal sealed class LandingState() : MissionState(MissionPhase.Landing)
         if (flight.Vehicle.LandedState != MavLandedState.OnGround)
         {
             _onGround = null;
-            if (_isOurLanding)
+            if (IsWaiting(flight, inPhase))
+                flight.SetGoal(VehicleCommandKind.Hold, "hold", RetryAfter);
+            else if (_isOurLanding)
                 flight.SetGoal(VehicleCommandKind.Land, "land", RetryAfter);
             return MissionStep.Stay;
         }
@@ -49,6 +56,15 @@ internal sealed class LandingState() : MissionState(MissionPhase.Landing)
         if (flight.ActiveTime - _onGround.Value > AutoDisarmTimeout)
             flight.SetGoal(VehicleCommandKind.Disarm, "disarm", RetryAfter);
         return MissionStep.Stay;
+    }
+
+    // What the operator commands is not urgent by the second, as a failsafe may be; once it sinks it goes on.
+    private bool IsWaiting(MissionFlight flight, TimeSpan inPhase)
+    {
+        if (!_mayWait || inPhase > MaxWait || flight.Plan is null || flight.Group?.FindBelow(flight) is not { } other)
+            return _mayWait = false;
+        flight.Text = $"landing: waits for vehicle {MissionNumbers.Of(other)}, which is below";
+        return true;
     }
 
     private static string LandedText(MissionFlight flight)

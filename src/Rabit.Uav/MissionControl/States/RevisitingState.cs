@@ -72,6 +72,15 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
         _follower = followed is not null ? new TargetFollower(flight, followed, _pass.HeadingRadians) : null;
     }
 
+    /// <summary>A target that it follows is for another vehicle; one that it validates stays unknown.</summary>
+    public override MissionStep LeaveLeg(MissionFlight flight, string why)
+    {
+        if (_task is not { } task)
+            return Finish(flight, wasObserved: false, why);
+        flight.Revisits.FinishFollowing(_follower!.InView > task.InViewBefore, flight.ActiveTime - _begun);
+        return new MissionStep(MissionEvent.Revisited, $"{task.Name}: {why}");
+    }
+
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
         if (flight.Commands.Failures >= MaxFailures)

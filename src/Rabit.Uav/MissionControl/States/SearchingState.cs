@@ -42,6 +42,15 @@ internal sealed class SearchingState : MissionState
             flight.Route!.InterruptLeg(flight.OverlapMetres);
     }
 
+    /// <summary>What is missing of the lane is a gap then, which is flown over at the end.</summary>
+    public override MissionStep LeaveLeg(MissionFlight flight, string why)
+    {
+        if (_isOnLane)
+            flight.LeaveLane(why);
+        _isOnLane = false;
+        return MissionStep.Stay;
+    }
+
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
         if (!_isOnLane && flight.Changes.AreDue)
@@ -84,6 +93,8 @@ internal sealed class SearchingState : MissionState
         MissionStep step = Finish(flight);
         if (step.What == MissionEvent.Searched && flight.Group?.FindWait(flight) is { } wait)
             return WaitAtHome(flight, wait);
+        if (step.What == MissionEvent.Searched && IsTrafficOnTheWayHome(flight))
+            return WaitAtHome(flight, "to the landing place: another vehicle is not in its layer");
         return step.What == MissionEvent.Searched && IsKeepOutOnTheWayHome(flight) ? MissionStep.Stay : step;
     }
 
@@ -105,6 +116,10 @@ internal sealed class SearchingState : MissionState
         flight.SetGoalPosition(_homeward.Next(flight), flight.Mission.HeightMetres, _waiting.Value.Heading);
         return MissionStep.Stay;
     }
+
+    // The autopilot's return gives way to none.
+    private static bool IsTrafficOnTheWayHome(MissionFlight flight) => flight.Group?.IsAnyOutOfLayer(flight) == true
+        && !flight.IsFixedWing && !PathFollower.HasArrived(flight, default, flight.Mission.HeightMetres);
 
     // The autopilot's return is straight.
     private bool IsKeepOutOnTheWayHome(MissionFlight flight)

@@ -22,6 +22,18 @@ public sealed class GroupSeparationTests(ITestOutputHelper output)
         Assert.True(flight.TooNear.Count == 0, flight.TooNear.FirstOrDefault() + flight.Story);
     }
 
+    [Theory]
+    [InlineData(301)]
+    [InlineData(310)]
+    [InlineData(362)]
+    public void Flight_OneSinksIntoTheLayerOfAnother_KeepsTheVehiclesApart(int seed)
+    {
+        using var flight = new SeparationFlight(seed, sinks: true);
+        flight.Fly();
+        Assert.True(flight.HasEnded, flight.Story);
+        Assert.True(flight.TooNear.Count == 0, flight.TooNear.FirstOrDefault() + flight.Story);
+    }
+
     // The layers are 20 m apart: 5 m are left for both errors together.
     [Fact]
     public void Flights_HeightsAreWrongByMoreThanTheLayersAllow_AreFoundTooNear()
@@ -41,11 +53,23 @@ public sealed class GroupSeparationTests(ITestOutputHelper output)
     [Trait("Category", "Long")]
     public void Flights_OfTwoHundredSeeds_KeepTheVehiclesApart()
     {
+        (int passes, int validated, int followed) = Fly(1, 200, sinks: false);
+        Assert.True(
+            validated > 200 && followed > 100 && passes > 200,
+            $"{validated} validated, {followed} followed, {passes} passes");
+    }
+
+    [Fact]
+    [Trait("Category", "Long")]
+    public void Flights_OneSinksIntoTheLayerOfAnother_KeepTheVehiclesApart() => Fly(301, 100, sinks: true);
+
+    private (int Passes, int Validated, int Followed) Fly(int first, int flights, bool sinks)
+    {
         var faults = new List<string>();
         (double least, int passes, int validated, int followed) = (double.PositiveInfinity, 0, 0, 0);
-        for (int seed = 1; seed <= 200; seed++)
+        for (int seed = first; seed < first + flights; seed++)
         {
-            using var flight = new SeparationFlight(seed);
+            using var flight = new SeparationFlight(seed, sinks: sinks);
             flight.Fly();
             (least, passes) = (Math.Min(least, flight.MinHeightMetres), passes + flight.Passes);
             (validated, followed) = (validated + flight.Validations, followed + flight.Followed);
@@ -56,11 +80,9 @@ public sealed class GroupSeparationTests(ITestOutputHelper output)
         }
 
         output.WriteLine(FormattableString.Invariant(
-            $"200 flights: {validated} targets validated, {followed} followed; {passes} times two were within 30 m ")
-            + FormattableString.Invariant($"over ground, with {least:0.0} m of height between them or more"));
+            $"{flights} flights: {validated} targets validated, {followed} followed; {passes} times two were within ")
+            + FormattableString.Invariant($"30 m over ground, with {least:0.0} m of height between them or more"));
         Assert.True(faults.Count == 0, string.Join(Environment.NewLine, faults));
-        Assert.True(
-            validated > 200 && followed > 100 && passes > 200,
-            $"{validated} validated, {followed} followed, {passes} passes");
+        return (passes, validated, followed);
     }
 }

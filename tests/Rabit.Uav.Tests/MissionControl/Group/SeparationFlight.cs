@@ -33,13 +33,19 @@ internal sealed class SeparationFlight : IDisposable
     private readonly double _cutFrom;
     private readonly double _cutFor;
     private readonly int _cutOff;
+    private readonly int _layer;
     private bool _hasHappened;
+    private double? _halted;
     private bool _goesOn;
     private bool _isOver;
 
     /// <param name="seed">Of all that is random.</param>
     /// <param name="heightErrorMetres">How wrong the height of a vehicle is, at most.</param>
-    public SeparationFlight(int seed, double heightErrorMetres = 2)
+    /// <param name="sinks">
+    /// Whether what happens is that the highest one is commanded to land where it is, is halted in a layer below, and
+    /// goes on a minute later.
+    /// </param>
+    public SeparationFlight(int seed, double heightErrorMetres = 2, bool sinks = false)
     {
         _random = new SeededNumbers(seed);
         _rig = new GroupRig(
@@ -56,6 +62,8 @@ internal sealed class SeparationFlight : IDisposable
             .Select(_ => _random.Uniform(-heightErrorMetres, heightErrorMetres))];
         _happening = (Happening)_random.Below((int)Happening.IsHeld + 1);
         _whom = _random.Below(Vehicles);
+        if (sinks)
+            (_happening, _whom, _layer) = (Happening.SinksIntoALayer, Vehicles - 1, seed % (Vehicles - 1));
         _when = _random.Uniform(20, 250);
         (_cutFrom, _cutFor, _cutOff) = (_random.Uniform(0, 250), _random.Uniform(5, 60), _random.Below(Vehicles));
         _rig.Reaches = (from, to) => !IsCut || (from == _cutOff) == (to == _cutOff);
@@ -74,6 +82,7 @@ internal sealed class SeparationFlight : IDisposable
         IsLost,
         Returns,
         IsHeld,
+        SinksIntoALayer,
     }
 
     /// <summary>How near two were, where that was too near; empty for never.</summary>
@@ -94,7 +103,8 @@ internal sealed class SeparationFlight : IDisposable
 
     public string Story => $"{_happening} of vehicle {_whom + 1} at {_when:0} s, loss {_rig.Loss:0.00}" + _rig.Story;
 
-    private bool IsCut => _rig.Seconds >= _cutFrom && _rig.Seconds < _cutFrom + _cutFor;
+    // Without a radio nothing is known of one that is not in its layer.
+    private bool IsCut => _happening != Happening.SinksIntoALayer && _rig.Seconds >= _cutFrom && _rig.Seconds < _cutFrom + _cutFor;
 
     public void Fly() => _isOver = _rig.RunUntil(
         () =>
@@ -113,6 +123,12 @@ internal sealed class SeparationFlight : IDisposable
 
     private void Happen()
     {
+        if (_happening == Happening.SinksIntoALayer)
+        {
+            Sink();
+            return;
+        }
+
         if (_happening == Happening.IsHeld && _hasHappened && !_goesOn && _rig.Seconds > _when + 40)
         {
             _goesOn = true;
@@ -130,6 +146,26 @@ internal sealed class SeparationFlight : IDisposable
             _rig.Rigs[_whom].Manager.ReturnToLaunch("test", "weather");
         else if (_happening == Happening.IsHeld)
             _rig.Rigs[_whom].Manager.Hold("test", "look");
+    }
+
+    private void Sink()
+    {
+        MissionRig rig = _rig.Rigs[_whom];
+        if (!_hasHappened && _rig.Seconds >= _when && rig.Status.Phase == MissionPhase.Searching)
+        {
+            _hasHappened = true;
+            rig.Manager.Land("test", "weather");
+        }
+        else if (_hasHappened && _halted is null && rig.Vehicle.Height <= _rig.Rigs[_layer].Vehicle.Height + 1)
+        {
+            _halted = _rig.Seconds;
+            rig.Manager.Hold("test", "wait");
+        }
+        else if (!_goesOn && _rig.Seconds > _halted + 60)
+        {
+            _goesOn = true;
+            rig.Manager.ContinueMission("test", "go on");
+        }
     }
 
     private void Check()

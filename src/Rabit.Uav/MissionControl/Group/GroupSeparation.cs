@@ -1,0 +1,170 @@
+using System;
+using System.Collections.Generic;
+using Rabit.Geodesy;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.MissionControl;
+
+/// <summary>
+/// Finds the vehicles of the group that are, or soon will be, too near: less than
+/// <see cref="HorizontalMetres"/> over ground and <see cref="GroupOptions.SeparationMetres"/> in height. While each is
+/// in its layer there are none; one that lands where it is, or is held on its way down, is in the layers of others.
+/// One thread.
+/// </summary>
+internal sealed class GroupSeparation
+{
+    /// <summary>Vehicles of one height are at least this far apart, metres.</summary>
+    public const double HorizontalMetres = 30;
+
+    // More than has to be: positions are off, and a vehicle that is held drifts.
+    private const double MarginMetres = 5;
+
+    // Time to stop from the speed of a search, or to leave the place below one that sinks.
+    private const double HorizonSeconds = 8;
+    private const double StepSeconds = 0.5;
+
+    // Within this of one's own landing place others may be near: they land beside it.
+    private const double LandingMetres = 15;
+
+    // Heights of a vehicle in its layer vary by less.
+    private const double InLayerMetres = 3;
+
+    private const double OnGroundMetres = 2;
+
+    private readonly SortedDictionary<byte, GroupTraffic> _traffic = [];
+
+    /// <summary>Takes what the others reported last.</summary>
+    public void Update(GroupMembers members)
+    {
+        foreach ((byte id, GroupReport report, TimeSpan time) in members.All)
+        {
+            if (!_traffic.TryGetValue(id, out GroupTraffic? traffic))
+                _traffic[id] = traffic = new GroupTraffic();
+            traffic.Take(report, time);
+        }
+    }
+
+    /// <summary>Forgets all: the group is another one now.</summary>
+    public void Clear() => _traffic.Clear();
+
+    /// <summary>The first vehicle that we would come too near to; null where there is none.</summary>
+    /// <param name="flight">The state of the mission; with a plan.</param>
+    /// <param name="systemId">Ours.</param>
+    /// <param name="own">What we report.</param>
+    /// <param name="velocity">Over ground, as we would go on.</param>
+    /// <param name="members">Who is received.</param>
+    public SeparationConflict? FindConflict(
+        MissionFlight flight, byte systemId, in GroupReport own, PlanePoint velocity, GroupMembers members)
+    {
+        if (flight.Position.Length <= LandingMetres)
+            return null;
+        SeparationConflict? first = null;
+        foreach (KeyValuePair<byte, GroupTraffic> other in _traffic)
+        {
+            if (!members.IsPresent(other.Key, flight.Now) || !IsFlying(other.Value.Report)
+                || !HasPriority(other.Key, other.Value.Report, systemId, own))
+                continue;
+            if (Predict(flight, own, velocity, other) is { } conflict
+                && (first is null || conflict.SecondsToGo < first.Value.SecondsToGo))
+                first = conflict;
+        }
+
+        return first;
+    }
+
+    /// <summary>A vehicle that flies below us, through whose layer we would sink here; null where there is none.</summary>
+    /// <param name="flight">The state of the mission; with a plan.</param>
+    /// <param name="members">Who is received.</param>
+    public byte? FindBelow(MissionFlight flight, GroupMembers members)
+    {
+        foreach (KeyValuePair<byte, GroupTraffic> other in _traffic)
+        {
+            GroupReport report = other.Value.Report;
+            double below = flight.Vehicle.Position.AltitudeAmslMetres - report.Position.AltitudeAmslMetres;
+            if (below <= 0 || !members.IsPresent(other.Key, flight.Now) || !IsFlying(report))
+                continue;
+            for (double s = 0; s <= HorizonSeconds; s += StepSeconds)
+            {
+                if (flight.Position.DistanceTo(PlaceOf(flight, other.Value, s)) < HorizontalMetres + MarginMetres)
+                    return other.Key;
+            }
+        }
+
+        return null;
+    }
+
+    /// <summary>
+    /// Whether a vehicle flies that is neither over its landing place nor sure to stay in its layer.
+    /// </summary>
+    public bool IsAnyOutOfLayer(MissionFlight flight, GroupMembers members)
+    {
+        foreach (KeyValuePair<byte, GroupTraffic> other in _traffic)
+        {
+            GroupReport report = other.Value.Report;
+            bool maySink = report.State == GroupMemberState.Leaving || !IsInLayer(report);
+            if (maySink && members.IsPresent(other.Key, flight.Now) && IsFlying(report)
+                && DistanceFromLanding(report) > LandingMetres)
+                return true;
+        }
+
+        return false;
+    }
+
+    private static PlanePoint PlaceOf(MissionFlight flight, GroupTraffic traffic, double seconds)
+    {
+        NedPosition at = flight.Plan!.Frame.ToNed(traffic.Report.Position);
+        double t = Math.Max(0, (flight.Now - traffic.Time).TotalSeconds) + seconds;
+        return new PlanePoint(at.North + (traffic.Velocity.North * t), at.East + (traffic.Velocity.East * t));
+    }
+
+    private static SeparationConflict? Predict(
+        MissionFlight flight, in GroupReport own, PlanePoint velocity, KeyValuePair<byte, GroupTraffic> other)
+    {
+        GroupTraffic traffic = other.Value;
+        double age = Math.Max(0, (flight.Now - traffic.Time).TotalSeconds);
+        double above = traffic.Report.Position.AltitudeAmslMetres - own.Position.AltitudeAmslMetres;
+        double sinks = IsInLayer(traffic.Report) && CanGiveWay(traffic.Report) ? 0 : traffic.Velocity.Down;
+        for (double s = 0; s <= HorizonSeconds; s += StepSeconds)
+        {
+            PlanePoint place = PlaceOf(flight, traffic, s);
+            double height = above - (sinks * (age + s)) - (ClimbOf(flight) * s);
+            double apart = (flight.Position + (s * velocity)).DistanceTo(place);
+            if (apart < HorizontalMetres + MarginMetres && Math.Abs(height) < GroupOptions.SeparationMetres)
+                return new SeparationConflict(other.Key, place, height, s);
+        }
+
+        return null;
+    }
+
+    // In its layer a vehicle only sways.
+    private static double ClimbOf(MissionFlight flight)
+    {
+        bool isClimbing = Math.Abs(flight.GoalHeightMetres - flight.HeightMetres) > InLayerMetres;
+        return isClimbing ? -flight.Vehicle.VelocityNed.Down : 0;
+    }
+
+    // Who cannot give way goes first: it lands, is held, is flown by its pilot, climbs over its landing place. Of two
+    // that can it is the one that is not in its layer, since it is on its way there; else the lower system id.
+    private static bool HasPriority(byte id, in GroupReport report, byte systemId, in GroupReport own)
+    {
+        if (!CanGiveWay(report))
+            return true;
+        return IsInLayer(own) == IsInLayer(report) ? id < systemId : IsInLayer(own);
+    }
+
+    private static bool CanGiveWay(in GroupReport report)
+        => report.State is GroupMemberState.Available or GroupMemberState.Following
+            && DistanceFromLanding(report) > LandingMetres;
+
+    private static double DistanceFromLanding(in GroupReport report)
+    {
+        NedPosition off = LocalNedFrame.IgnoringGeoid(report.LandingPlace).ToNed(report.Position);
+        return new PlanePoint(off.North, off.East).Length;
+    }
+
+    private static bool IsInLayer(in GroupReport report) => Math.Abs(
+        report.Position.AltitudeAmslMetres - report.SearchAltitudeAmslMetres) <= InLayerMetres;
+
+    private static bool IsFlying(in GroupReport report)
+        => report.Position.AltitudeAmslMetres - report.LandingPlace.AltitudeAmslMetres > OnGroundMetres;
+}
