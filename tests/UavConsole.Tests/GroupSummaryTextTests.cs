@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 using Rabit.Uav.Reporting;
 using Xunit;
@@ -37,9 +38,39 @@ public sealed class GroupSummaryTextTests
             TextOf(default, task));
     }
 
-    private static string TextOf(MissionStatus mission, params FollowTask[] followings)
+    [Fact]
+    public void Write_TargetOfAClassThatMovesWasNotFollowed_SaysSo()
     {
-        var record = new FlightRecord { Mission = mission, Group = new GroupStatus { Followings = [.. followings] } };
+        TargetTrack walking = Track(7, TrackState.Confirmed, TargetMotion.Walking);
+        TargetTrack standing = Track(8, TrackState.Confirmed, TargetMotion.Standing);
+        TargetTrack tentative = Track(9, TrackState.Tentative, TargetMotion.Walking);
+
+        string text = TextOf(default, new TrackList(TimeSpan.Zero, [walking, standing, tentative]));
+
+        Assert.Contains("red at 47.397700 8.545600, of a class that moves: NOT FOLLOWED", text);
+        Assert.Equal(2, text.Split("NOT FOLLOWED").Length);
+    }
+
+    private static TargetTrack Track(int id, TrackState state, TargetMotion motion) => new()
+    {
+        Id = id,
+        Class = DefaultTargetClasses.Red,
+        State = state,
+        Motion = motion,
+        Position = GeodeticPosition.FromDegrees(47.3977, 8.5456, 488),
+    };
+
+    private static string TextOf(MissionStatus mission, params FollowTask[] followings)
+        => TextOf(mission, TrackList.None, followings);
+
+    private static string TextOf(MissionStatus mission, TrackList tracks, params FollowTask[] followings)
+    {
+        var record = new FlightRecord
+        {
+            Mission = mission,
+            Tracks = tracks,
+            Group = new GroupStatus { Followings = [.. followings] },
+        };
         var flight = new FlightSummary(record) { Mission = new MissionSummary(record, score: null) };
         var group = new GroupFlightSummary([new GroupVehicleSummary(1, flight) { Radio = new RadioUse() }])
         {

@@ -36,6 +36,9 @@ internal static class GroupSummaryText
                 + $"{FlightText.Number((long)task.Finder)}, followed: {summary.DescribeFollowing(task)}");
         }
 
+        foreach (TargetTrack track in summary.NotFollowed)
+            output.WriteLine($"{At(track.Class, track.Position)}, of a class that moves: NOT FOLLOWED");
+
         foreach (GroupVehicleSummary vehicle in summary.Vehicles)
             output.WriteLine(Of(vehicle));
     }
@@ -46,12 +49,13 @@ internal static class GroupSummaryText
         "vehicles {0} and {1} were {2:0.0} m apart over ground and {3:0.0} m in height at {4}",
         pair.First + 1, pair.Second + 1, pair.HorizontalMetres, pair.VerticalMetres, FlightText.Clock(pair.Time));
 
+    private static string At(TargetClassName name, GeodeticPosition position) => string.Format(
+        CultureInfo.InvariantCulture, "{0} at {1:0.000000} {2:0.000000}", name, position.Latitude.Degrees,
+        position.Longitude.Degrees);
+
     private static string Of(in ValidationTask task, GeodeticPosition position)
     {
-        string found = string.Format(
-            CultureInfo.InvariantCulture, "{0} at {1:0.000000} {2:0.000000}: found by vehicle {3}, ", task.Class,
-            position.Latitude.Degrees, position.Longitude.Degrees, task.Finder);
-        return found + (task.State == ValidationState.Closed
+        return $"{At(task.Class, position)}: found by vehicle {FlightText.Number((long)task.Finder)}, " + (task.State == ValidationState.Closed
             ? $"by vehicle {FlightText.Number(task.Validator)} {task.Result.ToString().ToLowerInvariant()}"
             : "NOT VALIDATED");
     }

@@ -71,6 +71,15 @@ public sealed class GroupFlightSummary
     /// </summary>
     public IReadOnlyList<FollowTask> Followings { get; }
 
+    /// <summary>
+    /// The targets of a class that moves which no vehicle followed, as the vehicle knows them that knows the most;
+    /// without false ones, where the truth is known.
+    /// </summary>
+    public IReadOnlyList<TargetTrack> NotFollowed => BestInformed.Flight.Record.Tracks.Tracks
+        .Where(t => t.Motion != TargetMotion.Standing && t.State is TrackState.Confirmed or TrackState.Lost)
+        .Where(t => FollowingsOf(t).Count == 0 && Score?.FalseTracks.Contains(t) != true)
+        .OrderBy(t => t.Id).ToArray();
+
     /// <summary>How many of <see cref="Validations"/> a second vehicle confirmed.</summary>
     public int Confirmed => Validations.Count(
         t => t.State == ValidationState.Closed && t.Result == ValidationResult.Confirmed);
@@ -145,6 +154,14 @@ public sealed class GroupFlightSummary
     internal ValidationTask? ValidationOf(TargetTrack track) => Validations.Where(t => IsOf(track, t))
         .OrderByDescending(t => t.State == ValidationState.Closed).ThenBy(t => Metres(track.Position, t.Position))
         .Select(t => (ValidationTask?)t).FirstOrDefault();
+
+    /// <summary>Those of <see cref="Followings"/> that were of a track of <see cref="BestInformed"/>.</summary>
+    internal IReadOnlyList<FollowTask> FollowingsOf(TargetTrack track)
+    {
+        FollowedTrack[] links = BestInformed.Flight.Record.FollowedTracks.Where(l => l.TrackId == track.Id).ToArray();
+        return Followings.Where(t => Array.Exists(
+            links, l => (l.Finder, l.Session, l.Number) == (t.Finder, t.Session, t.Number))).ToArray();
+    }
 
     private static bool HasResult(in ValidationTask task)
         => task.State == ValidationState.Closed && task.Result != ValidationResult.Unknown;

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Uav.ImageProcessing;
@@ -37,7 +38,7 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
     // Of those that only another vehicle has as a track.
     private void WriteOtherFollowings(TargetTrack[] shown)
     {
-        FollowTask[] others = data.Followings.Except(shown.SelectMany(FollowingsOf)).ToArray();
+        FollowTask[] others = data.Followings.Except(shown.SelectMany(data.FollowingsOf)).ToArray();
         if (others.Length == 0)
             return;
         page.Open("ul", "class", "note");
@@ -88,16 +89,8 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
     // Targets of a class that moves are not validated.
     private void WriteFollowing(TargetTrack track)
     {
-        FollowTask[] tasks = FollowingsOf(track);
-        page.Fact("followed", tasks.Length == 0 ? "no" : string.Join("; ", tasks.Select(data.DescribeFollowing)));
-    }
-
-    private FollowTask[] FollowingsOf(TargetTrack track)
-    {
-        FollowedTrack[] links = data.BestInformed.Flight.Record.FollowedTracks
-            .Where(l => l.TrackId == track.Id).ToArray();
-        return data.Followings.Where(t => Array.Exists(
-            links, l => (l.Finder, l.Session, l.Number) == (t.Finder, t.Session, t.Number))).ToArray();
+        IReadOnlyList<FollowTask> tasks = data.FollowingsOf(track);
+        page.Fact("followed", tasks.Count == 0 ? "no" : string.Join("; ", tasks.Select(data.DescribeFollowing)));
     }
 
     private void WriteValidation(ValidationTask? found, TargetTrack track)
@@ -122,7 +115,7 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
     {
         { State: ValidationState.Closed, Result: ValidationResult.Confirmed } => ("validated", "found"),
         { State: ValidationState.Closed, Result: ValidationResult.Rejected } => ("rejected", "false"),
-        null when Array.Exists(FollowingsOf(track), t => t.InView > TimeSpan.Zero || t.Result == FollowResult.Followed)
+        null when data.FollowingsOf(track).Any(t => t.InView > TimeSpan.Zero || t.Result == FollowResult.Followed)
             => ("followed", "found"),
         null => (track.State == TrackState.Confirmed ? "found" : track.State.ToString().ToLowerInvariant(), "found"),
         _ => ("not validated", "found alone"),
