@@ -55,7 +55,8 @@ internal static class GroupSummaryText
 
     private static string Of(in ValidationTask task, GeodeticPosition position)
     {
-        return $"{At(task.Class, position)}: found by vehicle {FlightText.Number((long)task.Finder)}, " + (task.State == ValidationState.Closed
+        string found = $"{At(task.Class, position)}: found by vehicle {FlightText.Number((long)task.Finder)}, ";
+        return found + (task.State == ValidationState.Closed
             ? $"by vehicle {FlightText.Number(task.Validator)} {task.Result.ToString().ToLowerInvariant()}"
             : "NOT VALIDATED");
     }

@@ -72,7 +72,7 @@ internal sealed class GroupSeparation
         return first;
     }
 
-    /// <summary>A vehicle that flies below us, through whose layer we would sink here; null where there is none.</summary>
+    /// <summary>A vehicle below us, through whose layer we would sink here; null where there is none.</summary>
     /// <param name="flight">The state of the mission; with a plan.</param>
     /// <param name="members">Who is received.</param>
     public byte? FindBelow(MissionFlight flight, GroupMembers members)

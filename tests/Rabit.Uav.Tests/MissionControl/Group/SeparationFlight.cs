@@ -104,7 +104,8 @@ internal sealed class SeparationFlight : IDisposable
     public string Story => $"{_happening} of vehicle {_whom + 1} at {_when:0} s, loss {_rig.Loss:0.00}" + _rig.Story;
 
     // Without a radio nothing is known of one that is not in its layer.
-    private bool IsCut => _happening != Happening.SinksIntoALayer && _rig.Seconds >= _cutFrom && _rig.Seconds < _cutFrom + _cutFor;
+    private bool IsCut => _happening != Happening.SinksIntoALayer
+        && _rig.Seconds >= _cutFrom && _rig.Seconds < _cutFrom + _cutFor;
 
     public void Fly() => _isOver = _rig.RunUntil(
         () =>
