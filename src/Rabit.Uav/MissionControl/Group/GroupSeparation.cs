@@ -110,6 +110,18 @@ internal sealed class GroupSeparation
         return false;
     }
 
+    /// <summary>Whether a vehicle flies where we would climb to our layer; not beside it, at its landing place.</summary>
+    /// <param name="place">Where we stand.</param>
+    /// <param name="own">What we report.</param>
+    /// <param name="report">What it reports.</param>
+    public static bool IsInTheWayOfTheClimb(GeodeticPosition place, in GroupReport own, in GroupReport report)
+    {
+        double above = report.Position.AltitudeAmslMetres - own.SearchAltitudeAmslMetres;
+        return IsFlying(report) && above < GroupOptions.SeparationMetres
+            && DistanceFromLanding(report) > LandingMetres
+            && Distance(place, report.Position) < HorizontalMetres + MarginMetres;
+    }
+
     private static PlanePoint PlaceOf(MissionFlight flight, GroupTraffic traffic, double seconds)
     {
         NedPosition at = flight.Plan!.Frame.ToNed(traffic.Report.Position);
@@ -157,10 +169,10 @@ internal sealed class GroupSeparation
             && DistanceFromLanding(report) > LandingMetres;
 
     private static double DistanceFromLanding(in GroupReport report)
-    {
-        NedPosition off = LocalNedFrame.IgnoringGeoid(report.LandingPlace).ToNed(report.Position);
-        return new PlanePoint(off.North, off.East).Length;
-    }
+        => Distance(report.LandingPlace, report.Position);
+
+    private static double Distance(GeodeticPosition a, GeodeticPosition b)
+        => NedPosition.Origin.HorizontalDistanceTo(LocalNedFrame.IgnoringGeoid(a).ToNed(b));
 
     private static bool IsInLayer(in GroupReport report) => Math.Abs(
         report.Position.AltitudeAmslMetres - report.SearchAltitudeAmslMetres) <= InLayerMetres;

@@ -217,6 +217,9 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
                     + $"{MissionNumbers.Of(MinLandingDistanceMetres)} m are needed";
             }
 
+            if (GroupSeparation.IsInTheWayOfTheClimb(flight.Vehicle.Position, _own, report))
+                return $"vehicle {MissionNumbers.Of(id)} flies over this place, in the way of the climb";
+
             double height = Math.Abs(report.SearchAltitudeAmslMetres - _own.SearchAltitudeAmslMetres);
             if (height < GroupOptions.SeparationMetres && GoesFirst(id, report))
             {

@@ -82,6 +82,25 @@ public sealed class GroupGiveWayTests
         Assert.True(rig.RunToEnd(), rig.Story);
     }
 
+    [Fact]
+    public void TakeOff_AnotherOneIsHeldOverThePlace_WaitsUntilItIsGone()
+    {
+        using GroupRig rig = new(2, MissionRig.Mission(area: Field)) { SwitchedOn = 1 };
+        Assert.True(rig.RunUntil(() => rig.Rigs[0].Status.Phase == MissionPhase.Searching, 100), rig.Story);
+        rig.Rigs[0].Manager.Hold("test", "look");
+        rig.Run(5);
+        StandInVehicle held = rig.Rigs[0].Vehicle;
+        (held.North, held.East) = (0, HomesApartMetres + 5);
+        rig.SwitchedOn = 2;
+        rig.Run(30);
+        Assert.Equal(MissionPhase.WaitingForVehicle, rig.Rigs[1].Status.Phase);
+        Assert.Contains("vehicle 1 flies over this place, in the way of the climb", rig.Rigs[1].Status.Text);
+
+        rig.Rigs[0].Manager.ContinueMission("test", "go on");
+        Assert.True(rig.RunUntil(() => rig.Rigs[1].Status.Phase == MissionPhase.Searching, 100), rig.Story);
+        Assert.True(rig.RunToEnd(), rig.Story);
+    }
+
     // Both search, the first one on a lane for some time yet.
     private static GroupRig Open()
     {
