@@ -117,7 +117,7 @@ public sealed class GroupGiveWayTests
     private static void Place(GroupRig rig, double ahead, double? height)
     {
         (StandInVehicle first, StandInVehicle second) = (rig.Rigs[0].Vehicle, rig.Rigs[1].Vehicle);
-        IReadOnlyList<(double North, double East, double Height)> path = first.Path;
+        List<(double North, double East, double Height)> path = first.Path;
         double sign = Math.Sign(path[path.Count - 1].East - path[path.Count - 10].East);
         second.North = first.North;
         second.East = first.East - HomesApartMetres + (sign * ahead);
@@ -126,7 +126,7 @@ public sealed class GroupGiveWayTests
 
     private static double SpeedOf(GroupRig rig)
     {
-        IReadOnlyList<(double North, double East, double Height)> path = rig.Rigs[0].Vehicle.Path;
+        List<(double North, double East, double Height)> path = rig.Rigs[0].Vehicle.Path;
         return path.Count < 21 ? 0 : Math.Abs(path[path.Count - 1].East - path[path.Count - 21].East);
     }
 
