@@ -110,7 +110,7 @@ internal sealed class GroupSeparation
         return false;
     }
 
-    /// <summary>Whether a vehicle flies where we would climb to our layer; not beside it, at its landing place.</summary>
+    /// <summary>Whether a vehicle flies where we would climb to our layer; not one over its landing place.</summary>
     /// <param name="place">Where we stand.</param>
     /// <param name="own">What we report.</param>
     /// <param name="report">What it reports.</param>
