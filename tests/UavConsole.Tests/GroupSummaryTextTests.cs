@@ -48,7 +48,9 @@ public sealed class GroupSummaryTextTests
         string text = TextOf(default, new TrackList(TimeSpan.Zero, [walking, standing, tentative]));
 
         Assert.Contains("red at 47.397700 8.545600, of a class that moves: NOT FOLLOWED", text);
-        Assert.Equal(2, text.Split("NOT FOLLOWED").Length);
+        Assert.Equal(
+            text.IndexOf("NOT FOLLOWED", StringComparison.Ordinal),
+            text.LastIndexOf("NOT FOLLOWED", StringComparison.Ordinal));
     }
 
     private static TargetTrack Track(int id, TrackState state, TargetMotion motion) => new()
