@@ -41,6 +41,7 @@ public sealed class LastResortTests : InterruptingTests
         Assert.StartsWith("m ended unexpectedly in UnitOfWork: Host", result.StopReason, StringComparison.Ordinal);
         Assert.Equal((ManagerState.Faulted, 1), (result.Managers[1].Status.State, result.Managers[1].Status.Faults));
         Assert.Null(result.Failure);
+        Assert.DoesNotContain("Shutdown", run.Reactor.StatusTable(), StringComparison.Ordinal);   // it has left it
         Assert.Contains(run.Log, e => e.Kind == RabitLogKind.Fault && e.Source == "m");
         Assert.Equal(1, result.ExitCode);
     }
