@@ -118,6 +118,8 @@ public sealed class PictureReader
 
     private int ReadAll(string path)
     {
+        if (SpecialFile.FindKind(path) is { } kind)
+            throw new PictureException(path, $"it is {kind}, not a file");
         try
         {
             // Without a buffer of its own: the file goes into ours at once.

@@ -1,4 +1,5 @@
 using System;
+using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Text;
@@ -28,6 +29,23 @@ public sealed class PictureFileTests : IDisposable
         Assert.Equal(firstByte, File.ReadAllBytes(path)[0]);
         Assert.Equal((21, 13), (again.Width, again.Height));
         Assert.Equal(picture.Pixels, again.Pixels);
+    }
+
+    // A link as well: who opens it is blocked too.
+    [Theory]
+    [InlineData("pipe.png", "it is a pipe, not a file")]
+    [InlineData("link.png", "it is a pipe, not a file")]
+    [InlineData("/dev/zero", "it is a device, not a file")]
+    public void Load_NoFile_IsRefusedAtOnce(string name, string fault)
+    {
+        if (!OperatingSystem.IsLinux())
+            return;
+        SamplePictures.MakePipe(_folder.File("pipe.png"));
+        using (Process link = Process.Start("ln", $"-s pipe.png \"{_folder.File("link.png")}\"")!)
+            link.WaitForExit();
+        string path = name[0] == '/' ? name : _folder.File(name);
+
+        Assert.Equal($"{path}: {fault}", Assert.Throws<PictureException>(() => PictureFile.Load(path)).Message);
     }
 
     [Theory]

@@ -1,5 +1,7 @@
 using System;
 using System.IO;
+using System.Runtime.InteropServices;
+using System.Text;
 
 namespace Rabit.Vision.Tests.Pictures;
 
@@ -41,6 +43,13 @@ internal static class SamplePictures
     public const string Interlaced =
         "iVBORw0KGgoAAAANSUhEUgAAAAQAAAAFCAIAAAGayOoaAAAATElEQVR42gFBAL7/AAXI+irVAU/8CHQ9DwAQI/o1MB5aV0J/mGYAMX76Vos7e7J8oPO9AGjZ+o3mWLINttdOFAC1NPraQXX/aPAkqWtnPh1van9ucAAAAABJRU5ErkJggg==";
 
+    /// <summary>Makes a named pipe, which blocks who opens it. Linux only.</summary>
+    public static void MakePipe(string path)
+    {
+        if (MakePipe(Encoding.UTF8.GetBytes(path + "\0"), 0x180) != 0)
+            throw new IOException($"{path} cannot be made.");
+    }
+
     /// <summary>What is in all of them.</summary>
     public static byte[] Pixels(bool isGrey = false)
     {
@@ -65,6 +74,9 @@ internal static class SamplePictures
         new Random(seed).NextBytes(pixels);
         return new RgbPicture(width, height, pixels);
     }
+
+    [DllImport("libc", EntryPoint = "mkfifo")]
+    private static extern int MakePipe(byte[] path, uint mode);
 
     /// <summary>A new folder that is deleted with this.</summary>
     internal sealed class TemporaryFolder : IDisposable

@@ -5,6 +5,7 @@ using System.Text;
 using Rabit.Tests.Shared;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
+using Rabit.Uav.Tests.ImageProcessing.VideoDevices;
 using Rabit.Vision;
 using Rabit.Vision.Tests.Pictures;
 using Xunit;
@@ -117,6 +118,20 @@ public sealed class FolderCameraTests : IDisposable
 
         Assert.Equal([4], _rig.Taken.Select(t => t.Frame.Number));
         Assert.Equal(3, _rig.Camera.PicturesRefused);
+    }
+
+    [LinuxFact]
+    public void Read_PipeWithTheNameOfAPicture_IsRefusedAndTheRestGoesOn()
+    {
+        string pipe = _rig.PathOf("f000001_" + Micros(1) + "_e2000.png");
+        SamplePictures.MakePipe(pipe);
+        _rig.Write(2, At(2));
+
+        _rig.RunFor(At(3));
+
+        Assert.Equal([2], _rig.Taken.Select(t => t.Frame.Number));
+        Assert.Equal(1, _rig.Camera.PicturesRefused);
+        Assert.Equal(pipe + ": it is a pipe, not a file", _rig.Camera.LastRefusal);
     }
 
     [Fact]
