@@ -28,7 +28,7 @@ internal sealed class ReaderActivity<T>(
 
     protected override void UnblockDevice() => source.Unblock();
 
-    protected override void OpenDevice() => source.Open(new ReaderContext(Clock, WakeUp));
+    protected override void OpenDevice() => source.Open(new ReaderContext(Clock, WakeUp, Lender.Stop));
 
     protected override NextStep Work()
     {

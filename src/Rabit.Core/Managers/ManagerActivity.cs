@@ -4,6 +4,7 @@ using System.Linq;
 using System.Threading;
 using Rabit.Core.Devices;
 using Rabit.Core.Diagnostics;
+using Rabit.Core.Reactors;
 using Rabit.Core.Statistics;
 using Rabit.Core.Supervision;
 using Rabit.Core.Time;
@@ -45,6 +46,9 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
     public RabitManager Manager => manager;
 
     public BoundedList<ManagerFault> Faults => _followUp.Faults;
+
+    /// <summary>The requests to stop; null where no reactor runs it.</summary>
+    public StopDelay? Stop => run.StopDelay;
 
     public HangWatch Hangs { get; } = new(manager, run);
 

@@ -1,5 +1,7 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
+using System.Threading;
 using Xunit;
 
 namespace Rabit.Core.Tests.Contracts;
@@ -309,12 +311,70 @@ public abstract class StopDelayContract(TimeKind kind) : ContractTests(kind)
         Assert.Equal(0, result.ExitCode);
     }
 
+    [Fact, Trait("Clause", "1.9")]
+    public void Stop_WhileAManagerDelays_IsKnownToItsReaders()
+    {
+        using TestRun run = NewDelayingRun(Hour, out ScriptedManager holder);
+        var source = new StopAwareSource();
+        BlockingReader<bool> reader = holder.AttachReader("line", source);
+        var read = new List<bool>();
+        holder.OnUnit = () =>
+        {
+            while (reader.TryPop(out bool value))
+                read.Add(value);
+        };
+        run.StartAndSettle();
+        source.Ask();
+        run.Until(() => read.Count == 1, "it was asked once");
+
+        run.Reactor.Stop();
+        source.Ask();
+        run.Until(() => read.Count == 2, "it was asked again");
+        run.On(holder, () => holder.DelaysStop = false);
+
+        Assert.Equal(0, run.FinishByItself().ExitCode);
+        Assert.Equal([false, true], read);
+    }
+
     private TestRun NewDelayingRun(TimeSpan limit, out ScriptedManager holder)
     {
         TestRun run = NewRun(options => options.MaxStopDelay = limit);
         ScriptedManager manager = holder = run.Add("holder");
         manager.DelaysStop = true;   // as from the constructor
         return run;
+    }
+
+    /// <summary>Gives, as often as it is asked, whether a stop is requested.</summary>
+    private sealed class StopAwareSource : IReaderSource<bool>
+    {
+        private ReaderContext? _context;
+        private int _asked;
+
+        public bool Blocks => false;
+
+        public void Open(ReaderContext context) => _context = context;
+
+        public void Ask()
+        {
+            Interlocked.Increment(ref _asked);
+            _context!.Signal();
+        }
+
+        public ReaderStep Read(out bool value)
+        {
+            value = _context!.IsStopRequested;
+            if (Interlocked.Exchange(ref _asked, 0) == 0)
+                return ReaderStep.WaitForSignal;
+            return ReaderStep.Value;
+        }
+
+        public void Unblock()
+        {
+        }
+
+        public void Close()
+        {
+        }
     }
 }
 

@@ -17,6 +17,13 @@ internal sealed class FrameTaker : RabitManager
         _reader = AttachReader("camera", camera, capacity: 10);
     }
 
+    /// <summary>Whether a stop waits for it, to its limit or the next request. Before the start.</summary>
+    public bool HoldsUpTheStop
+    {
+        get => DelaysStop;
+        set => DelaysStop = value;
+    }
+
     protected override void ExecuteUnitOfWork()
     {
         while (_reader.TryPop(out CameraFrame frame))

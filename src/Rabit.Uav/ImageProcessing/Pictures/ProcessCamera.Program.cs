@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Threading;
+using Rabit.Core;
 
 namespace Rabit.Uav.ImageProcessing;
 
@@ -10,7 +11,7 @@ public sealed partial class ProcessCamera
     private void Start()
     {
         _stream.Clear();
-        _isStalled = false;
+        (_isStalled, _hasBytes, _end) = (false, false, null);
         Volatile.Write(ref _process, new ChildProcess(
             _options.Program,
             _times?.Open() ?? _options.Arguments,
@@ -23,10 +24,28 @@ public sealed partial class ProcessCamera
             _process!.Kill();
     }
 
+    private void RestartStallTimer()
+    {
+        _hasBytes = false;
+        _stall!.Change(_options.StallTimeout, Timeout.InfiniteTimeSpan);
+    }
+
     private void OnStall()
     {
         _isStalled = true;
         Volatile.Read(ref _process)?.Kill();
+    }
+
+    // Without a program.
+    private bool IsToWait(out ReaderStep wait)
+    {
+        wait = ReaderStep.WaitUntil(TimeSpan.MaxValue);
+        if (_context!.IsStopRequested)
+            return true;
+        if (_end is { } end && _context.Now >= _endIsFaultAt)
+            Fail(end, "it is started again");
+        wait = ReaderStep.WaitUntil(_end is null ? _delay.Due : _endIsFaultAt);
+        return _end is not null || !TryRestart();
     }
 
     private bool TryRestart()
@@ -54,6 +73,7 @@ public sealed partial class ProcessCamera
     private void Fail(string reason, string next)
     {
         End();
+        _end = null;
         string fault = _journal.Fail(reason);
         TimeSpan delay = _delay.Begin(_context!.Now);
         Log(FormattableString.Invariant($"{fault}; {next} in {delay.TotalSeconds} s"));

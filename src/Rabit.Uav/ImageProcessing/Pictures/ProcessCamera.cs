@@ -9,9 +9,10 @@ namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
 /// A camera that is the standard output of another program, as <c>rpicam-vid</c> and <c>ffmpeg</c> write it. The
-/// program is ended with this one, and started again, after a delay that doubles, when it ends or writes nothing for
-/// too long; Health Monitoring sees a camera without pictures meanwhile. It needs real time. The figures may be read
-/// from any thread.
+/// program is ended with this one, and started again, after a delay that doubles, when it ends or gives no whole picture
+/// for too long; Health Monitoring sees a camera without pictures meanwhile. An end with which a stop of the run is
+/// requested is no fault: Ctrl-C in a terminal, or a service that is stopped, ends both. It needs real time. The figures
+/// may be read from any thread.
 /// </summary>
 /// <remarks>
 /// The time of a picture is that of its arrival less <see cref="ProcessCameraOptions.Latency"/> and its exposure; or,
@@ -48,6 +49,9 @@ public sealed partial class ProcessCamera : ICamera
     private TimeSpan _exposure;
     private TimeSpan _timeNoise;
     private bool _isTimeKnown = true;
+    private bool _hasBytes;   // since the last whole picture
+    private string? _end;     // how the program ended, while that may still be the end that was asked for
+    private TimeSpan _endIsFaultAt;
     private long _number;
     private volatile bool _isStalled;
     private volatile bool _isStopping;
@@ -118,8 +122,8 @@ public sealed partial class ProcessCamera : ICamera
         value = default;
         while (!_isStopping)
         {
-            if (_process is null && !TryRestart())
-                return ReaderStep.WaitUntil(_delay.Due);
+            if (_process is null && IsToWait(out ReaderStep wait))
+                return wait;
             if (TryTakeNewest(out value))
             {
                 _delay.Reset();
@@ -156,13 +160,20 @@ public sealed partial class ProcessCamera : ICamera
         if (_stream.ReadFrom(_process!.Output) > 0)
         {
             _arrived = _context!.Now;
-            _stall!.Change(_options.StallTimeout, Timeout.InfiniteTimeSpan);
+            _hasBytes = true;
+        }
+        else if (!_isStopping && _isStalled)
+        {
+            string seconds = FormattableString.Invariant($"for {_options.StallTimeout.TotalSeconds} s");
+            Fail(
+                _hasBytes ? $"it wrote no whole picture {seconds}, only bytes that are none" : $"it wrote nothing {seconds}",
+                "it is started again");
         }
         else if (!_isStopping)
         {
-            Fail(_isStalled
-                ? FormattableString.Invariant($"it wrote nothing for {_options.StallTimeout.TotalSeconds} s")
-                : _process!.DescribeEnd(), "it is started again");
+            _end = _process!.DescribeEnd();
+            _endIsFaultAt = _context!.Now + _options.EndGrace;
+            End();
         }
     }
 
@@ -179,6 +190,8 @@ public sealed partial class ProcessCamera : ICamera
             (start, length, used) = (nextStart, nextLength, keep);
         }
 
+        if (length > 0)
+            RestartStallTimer();
         bool isTaken = length > 0 && TryFindTime() && IsWanted() && TryDecode(start, length, out frame);
         _stream.TryFind(used, out _, out _, out int needed);
         _stream.DropBefore(needed);

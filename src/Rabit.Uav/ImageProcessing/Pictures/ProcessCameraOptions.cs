@@ -63,7 +63,9 @@ public sealed class ProcessCameraOptions
     /// <value>The default is null.</value>
     public double? MaxFramesPerSecond { get; set; }
 
-    /// <summary>The program is ended and started again when it has written nothing for so long.</summary>
+    /// <summary>
+    /// The program is ended and started again when no whole picture has come for so long, whatever else it writes.
+    /// </summary>
     /// <value>The default is 5 s.</value>
     public TimeSpan StallTimeout { get; set; } = TimeSpan.FromSeconds(5);
 
@@ -85,6 +87,11 @@ public sealed class ProcessCameraOptions
     /// </summary>
     /// <value>The default is null. <see cref="ProcessCamera.LogTo"/> is given the same lines.</value>
     public Action<string>? Log { get; set; }
+
+    /// <summary>
+    /// How long an end of the program is no fault yet: what has ended it may be about to end this one, too.
+    /// </summary>
+    internal TimeSpan EndGrace { get; set; } = TimeSpan.FromSeconds(0.5);
 
     internal bool HasMetadata { get; private set; }
 
