@@ -19,6 +19,8 @@ internal sealed class BenchOptions
 
     public bool IsListed { get; private set; }
 
+    public bool IsHelp { get; private set; }
+
     /// <summary>Where the page for a browser goes; null for none.</summary>
     public string? HtmlFile { get; private set; }
 
@@ -36,6 +38,9 @@ internal sealed class BenchOptions
                 case "--list":
                     options.IsListed = true;
                     break;
+                case "--help" or "-h":
+                    options.IsHelp = true;
+                    break;
                 case "--part" when i + 1 < args.Length && args[i + 1] is "all" or "odd" or "even":
                     options.Part = args[++i];
                     break;
@@ -51,7 +56,7 @@ internal sealed class BenchOptions
                 default:
                     if (args[i].StartsWith("--", StringComparison.Ordinal))
                         throw new ArgumentException(
-                            $"{args[i]}: it is no argument, or something is missing after it", nameof(args));
+                            $"{args[i]}: it is no argument, or something is missing after it; --help says more");
                     options.Folders.Add(args[i]);
                     break;
             }

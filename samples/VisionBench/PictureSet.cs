@@ -10,6 +10,11 @@ namespace VisionBench;
 /// <summary>A folder of pictures with a truth.json beside them (format "uav-imagery-truth").</summary>
 internal sealed class PictureSet
 {
+    private const string TruthFile = "truth.json";
+    private const string TruthFormat = "uav-imagery-truth";
+    private const string WhatIsExpected =
+        $"A set is a folder with a {TruthFile} (format {TruthFormat}) and the pictures that it lists.";
+
     private PictureSet(string name, ImmutableArray<ListedFrame> frames) => (Name, Frames) = (name, frames);
 
     public string Name { get; }
@@ -20,13 +25,20 @@ internal sealed class PictureSet
     /// <exception cref="IOException">It cannot be read.</exception>
     public static PictureSet Load(string folder)
     {
-        string path = Path.Combine(folder, "truth.json");
+        string path = Path.Combine(folder, TruthFile);
+        if (!File.Exists(path))
+            throw new FormatException($"{folder}: {FaultOf(folder)}. {WhatIsExpected}");
         try
         {
             using var json = JsonDocument.Parse(File.ReadAllText(path));
-            string? format = json.RootElement.GetProperty("format").GetString();
-            if (!string.Equals(format, "uav-imagery-truth", StringComparison.Ordinal))
-                throw new FormatException($"its format is \"{format}\"");
+            foreach (string part in (string[])["format", "cameras", "frames"])
+            {
+                if (!json.RootElement.TryGetProperty(part, out JsonElement value))
+                    throw new FormatException($"\"{part}\" is missing");
+                if (part == "format" && value.GetString() != TruthFormat)
+                    throw new FormatException($"its format is \"{value.GetString()}\", not \"{TruthFormat}\"");
+            }
+
             var cameras = json.RootElement.GetProperty("cameras").EnumerateArray()
                 .ToDictionary(c => c.GetProperty("name").GetString()!, CameraOf, StringComparer.Ordinal);
             CameraModel CameraFor(JsonElement frame) => frame.TryGetProperty("camera", out JsonElement name)
@@ -43,6 +55,16 @@ internal sealed class PictureSet
         {
             throw new FormatException($"{path} is no truth of a picture set: {e.Message}", e);
         }
+    }
+
+    private static string FaultOf(string folder)
+    {
+        if (!Directory.Exists(folder))
+            return File.Exists(folder) ? "it is a file, not a folder" : "there is no such folder";
+        string[] inside = [.. Directory.GetDirectories(folder)
+            .Where(f => File.Exists(Path.Combine(f, TruthFile))).Select(f => Path.GetFileName(f)!)
+            .OrderBy(f => f, StringComparer.Ordinal)];
+        return $"it has no {TruthFile}" + (inside.Length > 0 ? ", but these in it do: " + string.Join(", ", inside) : "");
     }
 
     private static CameraModel CameraOf(JsonElement json)

@@ -11,7 +11,7 @@ internal static class VisionBenchProgram
 {
     private const string Usage = """
         usage: VisionBench FOLDER... [--detector shapes|squares] [--part all|odd|even] [--colour-only] [--list]
-                           [--html FILE] [--repeat N]
+                           [--html FILE] [--repeat N] [--help]
 
         FOLDER         a set: pictures with a truth.json (format uav-imagery-truth); its parent may have the
                        baseline.json of the reference
@@ -23,18 +23,26 @@ internal static class VisionBenchProgram
         --html         a page for a browser: the figures, and each picture with what was found, missed and falsely
                        alarmed
         --repeat       searches each picture so often; the shortest time counts
+        --help         this text
+
+        exit code      0: all sets were searched, whatever was found; 2: an argument, a set or a file is wrong
         """;
+
+    private const int BadInput = 2;
 
     internal static int Run(string[] args, TextWriter output, TextWriter errors, bool isTerminal)
     {
         try
         {
             BenchOptions options = BenchOptions.Parse(args);
-            if (options.Folders.Count == 0)
+            if (options.IsHelp)
             {
                 output.WriteLine(Usage);
-                return 1;
+                return 0;
             }
+
+            if (options.Folders.Count == 0)
+                throw new ArgumentException("no folder is given; --help says more");
 
             // All of them before the first is searched: a wrong name ends it at once.
             List<(string Folder, PictureSet Set)> sets =
@@ -53,7 +61,7 @@ internal static class VisionBenchProgram
                 or ArgumentException)
         {
             errors.WriteLine(e.Message.Replace("\r", "").Replace('\n', ' '));
-            return 1;
+            return BadInput;
         }
     }
 

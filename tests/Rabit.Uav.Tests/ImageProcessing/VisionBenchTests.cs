@@ -2,6 +2,7 @@ using System;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using Rabit.Tests.Shared;
 using VisionBench;
 using Xunit;
 
@@ -39,21 +40,71 @@ public sealed class VisionBenchTests : IDisposable
     }
 
     [Theory]
-    [InlineData("nowhere", "nowhere")]
     [InlineData("--html", "--html: it is no argument, or something is missing after it")]
     [InlineData("--part", "--part: it is no argument, or something is missing after it")]
     public void Run_WrongArgument_NamesIt(string argument, string text)
     {
         (int exit, _, string errors) = Run(false, argument);
-        Assert.Equal(1, exit);
+        Assert.Equal(2, exit);
         Assert.Contains(text, errors, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("--help")]
+    [InlineData("-h")]
+    [InlineData("--list", "--help")]
+    public void Run_Help_SaysWhatThereIsAndIsNoError(params string[] args)
+    {
+        (int exit, string output, string errors) = Run(false, args);
+        Assert.Equal((0, ""), (exit, errors));
+        Assert.StartsWith("usage: VisionBench FOLDER", output, StringComparison.Ordinal);
+        Assert.Contains("exit code", output, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Run_NoFolder_IsAnErrorThatSaysHow()
+    {
+        (int exit, string output, string errors) = Run(false, "--list");
+        Assert.Equal((2, ""), (exit, output));
+        Assert.StartsWith("no folder is given; --help says more", errors, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("nowhere", ": there is no such folder")]
+    [InlineData("detection/red-panel.template", ": it is a file, not a folder")]
+    [InlineData("jpeg", ": it has no truth.json")]
+    [InlineData("detection", ": it has no truth.json, but these in it do: stills, stills_1640")]
+    public void Run_FolderThatIsNoSet_IsNamedWithWhatIsExpected(string folder, string fault)
+    {
+        string path = Path.Combine(Repository.Root, "tests", "data", folder);
+        (int exit, _, string errors) = Run(false, path);
+        Assert.Equal(2, exit);
+        Assert.Equal(
+            $"{path}{fault}. A set is a folder with a truth.json (format uav-imagery-truth) and the pictures that it lists.",
+            errors.TrimEnd());
+    }
+
+    [Theory]
+    [InlineData("{", " is no truth of a picture set: ")]
+    [InlineData("{\"format\":\"other\"}", "its format is \"other\", not \"uav-imagery-truth\"")]
+    [InlineData("{\"format\":\"uav-imagery-truth\",\"cameras\":[]}", "\"frames\" is missing")]
+    public void Run_TruthThatIsNone_IsNamed(string truth, string fault)
+    {
+        string folder = Directory.CreateDirectory(_page + ".set").FullName;
+        string file = Path.Combine(folder, "truth.json");
+        File.WriteAllText(file, truth);
+        (int exit, _, string errors) = Run(false, folder);
+        Directory.Delete(folder, recursive: true);
+        Assert.Equal(2, exit);
+        Assert.StartsWith(file, errors, StringComparison.Ordinal);
+        Assert.Contains(fault, errors, StringComparison.Ordinal);
     }
 
     [Fact]
     public void Run_PageThatCannotBeWritten_NamesIt()
     {
         (int exit, _, string errors) = Run(false, Stills, "--html", Path.Combine(_page, "none", "page.html"));
-        Assert.Equal(1, exit);
+        Assert.Equal(2, exit);
         Assert.Contains("page.html", errors, StringComparison.Ordinal);
     }
 
