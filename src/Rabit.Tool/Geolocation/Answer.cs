@@ -23,7 +23,7 @@ internal static class Answer
         if (isJson)
             output.WriteLine(Json(pixels, isList));
         else if (!isList)
-            output.WriteLine(Text(pixels[0].Result));
+            output.WriteLine(Text(pixels[0]));
         else
         {
             foreach (LocatedPixel pixel in pixels)
@@ -37,7 +37,7 @@ internal static class Answer
     {
         string name = FormattableString.Invariant($"pixel {pixel.Column},{pixel.Row}: ");
         if (!pixel.IsLocated)
-            return name + Text(pixel.Result);
+            return name + Text(pixel);
         GeolocationResult fix = pixel.Result;
         HorizontalCovariance all = fix.Covariance + fix.SystematicCovariance;
         return name + PositionText.Format(fix.Position.Point, PositionStyle.DecimalDegrees)
@@ -45,8 +45,9 @@ internal static class Answer
                 $"  altitude {fix.Position.AltitudeAmslMetres:0.00} m  95 % ellipse {all.HalfMajorAxis95Metres:0.0} x {all.HalfMinorAxis95Metres:0.0} m, long axis at {all.MajorAxis.Degrees:0} deg from north");
     }
 
-    private static string Text(GeolocationResult fix)
+    private static string Text(LocatedPixel pixel)
     {
+        GeolocationResult fix = pixel.Result;
         if (fix.Error != GeolocationError.None)
             return $"refused: {fix.Error}: {Reason(fix.Error)}";
         HorizontalCovariance all = fix.Covariance + fix.SystematicCovariance;
@@ -60,8 +61,7 @@ internal static class Answer
             altitude {fix.Position.AltitudeAmslMetres:0.00} m
             95 % ellipse {all.HalfMajorAxis95Metres:0.0} x {all.HalfMinorAxis95Metres:0.0} m, long axis at {all.MajorAxis.Degrees:0} deg from north
             of which random {fix.Covariance.HalfMajorAxis95Metres:0.0} m, systematic {fix.SystematicCovariance.HalfMajorAxis95Metres:0.0} m
-
-            """) + PoseText(fix);
+            """) + (pixel.IsTimed ? Environment.NewLine + PoseText(fix) : "");
     }
 
     /// <summary>Why there is no place, for people.</summary>
@@ -109,9 +109,14 @@ internal static class Answer
         writer.WriteNumberValue(pixel.Column);
         writer.WriteNumberValue(pixel.Row);
         writer.WriteEndArray();
-        writer.WriteNumber("timeSeconds", fix.Time.TotalSeconds);
+        if (pixel.IsTimed)
+            writer.WriteNumber("timeSeconds", fix.Time.TotalSeconds);
         if (pixel.IsLocated)
+        {
             WritePlace(writer, fix);
+            if (pixel.IsTimed)
+                writer.WriteNumber("extrapolatedSeconds", fix.Extrapolated.TotalSeconds);
+        }
         else
         {
             writer.WriteString("reason", fix.Error.ToString());
@@ -132,7 +137,6 @@ internal static class Answer
         writer.WriteNumber("ellipse95HalfMajorAxisMetres", all.HalfMajorAxis95Metres);
         writer.WriteNumber("ellipse95HalfMinorAxisMetres", all.HalfMinorAxis95Metres);
         writer.WriteNumber("ellipseMajorAxisDegrees", all.MajorAxis.Degrees);
-        writer.WriteNumber("extrapolatedSeconds", fix.Extrapolated.TotalSeconds);
     }
 
     private static void WriteCovariance(Utf8JsonWriter writer, string name, HorizontalCovariance covariance)

@@ -47,13 +47,24 @@ internal sealed class GeolocateOptions
                 + "not.";
         if (IsPhoto && (Request ?? Telemetry) is { } other)
             return $"{Camera} is a photo, which needs no {other}.";
-        if (OfPhoto.ContainsKey("height") && OfPhoto.ContainsKey("ground-altitude"))
-            return "--height and --ground-altitude exclude each other: both say where the ground is.";
-        if (OfPhoto.ContainsKey("focal-length") && !OfPhoto.ContainsKey("sensor-width"))
-            return "--focal-length needs --sensor-width.";
+        if (FindFaultOfPhoto() is { } fault)
+            return fault;
         if (GeoJson is not null && Array.Find([Camera, Request, Telemetry, Terrain], IsOutput) is { } read)
             return $"--geojson would overwrite {read}, which is read.";
         return null;
+    }
+
+    private string? FindFaultOfPhoto()
+    {
+        string[] grounds = [.. OfPhoto.Keys.Where(k => k is "height" or "ground-altitude").OrderByDescending(k => k)];
+        if (grounds.Length == 2 || (grounds.Length == 1 && Terrain is not null))
+            return $"--{grounds[0]} and --{(grounds.Length == 2 ? grounds[1] : "terrain")} exclude each other: both say "
+                + "where the ground is.";
+        if (OfPhoto.ContainsKey("focal-length-35mm") && OfPhoto.ContainsKey("sensor-width"))
+            return "--focal-length-35mm and --sensor-width exclude each other: both say what the focal length is.";
+        return OfPhoto.ContainsKey("focal-length") && !OfPhoto.ContainsKey("sensor-width")
+            ? "--focal-length needs --sensor-width."
+            : null;
     }
 
     private bool IsOutput(string? input)

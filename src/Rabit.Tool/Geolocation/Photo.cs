@@ -44,7 +44,7 @@ internal sealed class Photo
         double roll = Given("camera-roll") ?? _said.GimbalRollDegrees ?? 0;
         CameraModel camera = CameraOf();
         if (_missing.Count > 0)
-            throw new FormatException($"{_line.Camera} does not say {string.Join(", ", _missing)}.");
+            throw new FormatException($"{_line.Camera} does not say {string.Join(", ", _missing)}.{NotUnderstood}");
 
         var options = new ImageProcessingOptions
         {
@@ -145,6 +145,9 @@ internal sealed class Photo
             K3 = lens.K3,
         };
     }
+
+    private string NotUnderstood
+        => _said.Faults.Count == 0 ? "" : $" What was not understood: {string.Join("; ", _said.Faults)}.";
 
     private double Find(string option, double? said, string what, string? options = null)
     {

@@ -25,6 +25,8 @@ internal sealed class Request
     private readonly Photo? _photo;
     private readonly IReadOnlyList<(double Column, double Row)> _pixels;
 
+    private bool _isTimed;
+
     private Request(
         PixelGeolocator locator, TimeSpan time, ImagingCommand command,
         IReadOnlyList<(double Column, double Row)> pixels, Photo? photo = null)
@@ -54,6 +56,7 @@ internal sealed class Request
             locator, time, CommandOf(request, options.Terrain is not null), PixelsOf(line, request, out bool isList))
         {
             IsList = isList,
+            _isTimed = line.Telemetry is not null,
         };
     }
 
@@ -66,7 +69,7 @@ internal sealed class Request
     private LocatedPixel Locate((double Column, double Row) pixel)
     {
         (double column, double row) = _photo?.Stored(pixel) ?? pixel;
-        return new LocatedPixel(pixel.Column, pixel.Row, _locator.Locate(_time, _command, column, row));
+        return new LocatedPixel(pixel.Column, pixel.Row, _locator.Locate(_time, _command, column, row), _isTimed);
     }
 
     private static IReadOnlyList<(double Column, double Row)> PixelsOf(

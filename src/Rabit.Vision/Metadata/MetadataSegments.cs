@@ -14,11 +14,12 @@ internal static class MetadataSegments
     {
         var photo = new PhotoMetadata();
         var faults = new List<string>();
-        (bool hasExif, bool hasXmp) = (false, false);
+        (bool hasExif, bool hasXmp, bool isWhole) = (false, false, false);
         int at = 2;
         while (TryNext(file, ref at, out int marker, out int content, out int length))
         {
-            if (marker == JpegMarker.Scan)
+            isWhole = marker == JpegMarker.Scan;
+            if (isWhole)
                 break;
             if (JpegMarker.IsFrame(marker) && length >= 6)
                 (photo.Height, photo.Width) = (Size(file, content + 1), Size(file, content + 3));
@@ -38,6 +39,8 @@ internal static class MetadataSegments
             }
         }
 
+        if (!isWhole)
+            faults.Add("JPEG: it is cut off before its pixels");
         photo.Faults = faults;
         return photo;
     }

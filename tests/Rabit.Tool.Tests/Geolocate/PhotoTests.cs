@@ -128,6 +128,40 @@ public sealed class PhotoTests : IDisposable
             + "--sensor-width).", _run.Errors, StringComparison.Ordinal);
     }
 
+    // A download that broke off: within its EXIF, or before the segment that has its size.
+    [Theory]
+    [InlineData("EXIF")]
+    [InlineData("size")]
+    public void Photo_CutOff_NamesAllThatIsMissingAndWhy(string where)
+    {
+        byte[] whole = PhotoBytes.Drone();
+        int frame = Enumerable.Range(0, whole.Length - 1).Last(at => whole[at] == 0xFF && whole[at + 1] == 0xC0);
+        string photo = Write("a.jpg", [.. whole.Take(where == "EXIF" ? 100 : frame + 4)]);
+
+        Assert.Equal(2, _run.Run(photo, "--pixel", "1,1"));
+
+        string missing = where == "EXIF" ? "its latitude (--latitude), its longitude (--longitude), " : "its size";
+        Assert.StartsWith($"{photo} does not say {missing}", _run.Errors, StringComparison.Ordinal);
+        Assert.Contains("its size", _run.Errors, StringComparison.Ordinal);
+        Assert.EndsWith(
+            ". What was not understood: JPEG: it is cut off before its pixels.", _run.Errors.TrimEnd(),
+            StringComparison.Ordinal);
+    }
+
+    // One photo has one pose: there is none between samples, and no clock by which it was taken.
+    [Fact]
+    public void Photo_Answer_LeavesOutWhatIsOfTelemetry()
+    {
+        string photo = Write("a.jpg", PhotoBytes.Drone());
+
+        Assert.Equal(0, _run.Run(photo, "--pixel", "30,21"));
+        Assert.DoesNotContain("pose", _run.Output, StringComparison.Ordinal);
+        Assert.EndsWith(" m", _run.Output.TrimEnd(), StringComparison.Ordinal);
+        Assert.Equal(0, _run.Run(photo, "--pixel", "30,21", "--json"));
+        Assert.False(_run.Json.TryGetProperty("timeSeconds", out _));
+        Assert.False(_run.Json.TryGetProperty("extrapolatedSeconds", out _));
+    }
+
     [Fact]
     public void Photo_WrongUse_IsNamed()
     {
@@ -217,6 +251,13 @@ public sealed class PhotoTests : IDisposable
             "--height and --ground-altitude exclude each other: both say where the ground is.",
             photo, "--pixel", "1,1", "--height", "50", "--ground-altitude", "40");
         AssertRefused("--focal-length needs --sensor-width.", photo, "--pixel", "1,1", "--focal-length", "4.5");
+        AssertRefused(
+            "--focal-length-35mm and --sensor-width exclude each other: both say what the focal length is.",
+            photo, "--pixel", "1,1", "--focal-length-35mm", "20", "--sensor-width", "6.17");
+        foreach (string height in (string[])["--height", "--ground-altitude"])
+            AssertRefused(
+                $"{height} and --terrain exclude each other: both say where the ground is.",
+                photo, "--pixel", "1,1", height, "50", "--terrain", "dem.asc");
     }
 
     // Of 61 x 43 pixels, from 50 m above the ground, north up.
