@@ -24,7 +24,7 @@ internal sealed class BenchOptions
     /// <summary>Where the page for a browser goes; null for none.</summary>
     public string? HtmlFile { get; private set; }
 
-    /// <exception cref="ArgumentException">An argument is none.</exception>
+    /// <exception cref="FormatException">An argument is none.</exception>
     public static BenchOptions Parse(string[] args)
     {
         var options = new BenchOptions();
@@ -55,7 +55,7 @@ internal sealed class BenchOptions
                     break;
                 default:
                     if (args[i].StartsWith("--", StringComparison.Ordinal))
-                        throw new ArgumentException(
+                        throw new FormatException(
                             $"{args[i]}: it is no argument, or something is missing after it; --help says more");
                     options.Folders.Add(args[i]);
                     break;

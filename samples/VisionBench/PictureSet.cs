@@ -64,7 +64,8 @@ internal sealed class PictureSet
         string[] inside = [.. Directory.GetDirectories(folder)
             .Where(f => File.Exists(Path.Combine(f, TruthFile))).Select(f => Path.GetFileName(f)!)
             .OrderBy(f => f, StringComparer.Ordinal)];
-        return $"it has no {TruthFile}" + (inside.Length > 0 ? ", but these in it do: " + string.Join(", ", inside) : "");
+        string others = inside.Length > 0 ? ", but these in it do: " + string.Join(", ", inside) : "";
+        return $"it has no {TruthFile}{others}";
     }
 
     private static CameraModel CameraOf(JsonElement json)

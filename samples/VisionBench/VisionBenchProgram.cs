@@ -42,7 +42,7 @@ internal static class VisionBenchProgram
             }
 
             if (options.Folders.Count == 0)
-                throw new ArgumentException("no folder is given; --help says more");
+                throw new FormatException("no folder is given; --help says more");
 
             // All of them before the first is searched: a wrong name ends it at once.
             List<(string Folder, PictureSet Set)> sets =

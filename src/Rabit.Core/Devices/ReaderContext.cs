@@ -27,8 +27,8 @@ public sealed class ReaderContext
 
     /// <summary>
     /// Whether a stop of the run was requested, also one that a manager delays
-    /// (<see cref="RabitManager.DelaysStop"/>): the source is still read then, but what happens to it may be part of the
-    /// stop. Once true it stays true.
+    /// (<see cref="RabitManager.DelaysStop"/>): the source is still read then, but what happens to it may be part of
+    /// the stop. Once true it stays true.
     /// </summary>
     public bool IsStopRequested => _stop?.IsRequested ?? false;
 

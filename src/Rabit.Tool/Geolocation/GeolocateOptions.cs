@@ -56,10 +56,13 @@ internal sealed class GeolocateOptions
 
     private string? FindFaultOfPhoto()
     {
-        string[] grounds = [.. OfPhoto.Keys.Where(k => k is "height" or "ground-altitude").OrderByDescending(k => k)];
+        string[] grounds = [.. new[] { "height", "ground-altitude" }.Where(OfPhoto.ContainsKey)];
         if (grounds.Length == 2 || (grounds.Length == 1 && Terrain is not null))
-            return $"--{grounds[0]} and --{(grounds.Length == 2 ? grounds[1] : "terrain")} exclude each other: both say "
-                + "where the ground is.";
+        {
+            string other = grounds.Length == 2 ? grounds[1] : "terrain";
+            return $"--{grounds[0]} and --{other} exclude each other: both say where the ground is.";
+        }
+
         if (OfPhoto.ContainsKey("focal-length-35mm") && OfPhoto.ContainsKey("sensor-width"))
             return "--focal-length-35mm and --sensor-width exclude each other: both say what the focal length is.";
         return OfPhoto.ContainsKey("focal-length") && !OfPhoto.ContainsKey("sensor-width")
