@@ -56,13 +56,12 @@ internal sealed class GeolocateOptions
 
     private string? FindFaultOfPhoto()
     {
-        string[] grounds = [.. new[] { "height", "ground-altitude" }.Where(OfPhoto.ContainsKey)];
-        if (grounds.Length == 2 || (grounds.Length == 1 && Terrain is not null))
-        {
-            string other = grounds.Length == 2 ? grounds[1] : "terrain";
-            return $"--{grounds[0]} and --{other} exclude each other: both say where the ground is.";
-        }
-
+        bool hasGround = OfPhoto.ContainsKey("ground-altitude");
+        if (hasGround && OfPhoto.ContainsKey("height"))
+            return "--height and --ground-altitude exclude each other: both say where the ground is.";
+        if (Terrain is not null && (hasGround || OfPhoto.ContainsKey("height")))
+            return $"--{(hasGround ? "ground-altitude" : "height")} and --terrain exclude each other: both say where the "
+                + "ground is.";
         if (OfPhoto.ContainsKey("focal-length-35mm") && OfPhoto.ContainsKey("sensor-width"))
             return "--focal-length-35mm and --sensor-width exclude each other: both say what the focal length is.";
         return OfPhoto.ContainsKey("focal-length") && !OfPhoto.ContainsKey("sensor-width")
