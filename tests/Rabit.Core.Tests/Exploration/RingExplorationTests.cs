@@ -58,42 +58,52 @@ public sealed class RingExplorationTests(ITestOutputHelper output)
         string kind, string memory, string pushes, int pops, int batch, int looks)
         => AssertNoFault(kind, memory, pushes, pops, batch, looks);
 
-    /// <summary>Kind, memory, engine, values of each sender, capacity, whether senders wait for room.</summary>
-    public static TheoryData<string, string, string, string, int, bool> SmallWakes() => new()
+    /// <summary>Kind, memory, engine, values of each sender, capacity, batch, whether senders wait.</summary>
+    public static TheoryData<string, string, string, string, int, int, bool> SmallWakes() => new()
     {
-        { Pair, "Weak", "event", "2", 2, false },
-        { Pair, "StoreBuffers", "futex", "2", 2, false },
-        { Ring, "StoreBuffers", "event", "1 1", 2, false },
-        { Ring, "Weak", "event", "2", 2, false },
-        { Pair, "StoreBuffers", "event", "3", 1, true },
-        { Pair, "Weak", "event", "2", 1, true },
-        { Ring, "StoreBuffers", "event", "4", 2, true },
-        { Ring, "Weak", "futex", "2", 1, true },
+        { Pair, "Weak", "event", "2", 2, 1, false },
+        { Pair, "StoreBuffers", "futex", "2", 2, 1, false },
+        { Ring, "StoreBuffers", "event", "1 1", 2, 1, false },
+        { Ring, "Weak", "event", "2", 2, 1, false },
+        { Pair, "StoreBuffers", "event", "3", 1, 1, true },
+        { Pair, "Weak", "event", "2", 1, 1, true },
+        { Ring, "StoreBuffers", "event", "4", 2, 1, true },
+        { Ring, "Weak", "futex", "2", 1, 1, true },
+        { Pair, "StoreBuffers", "event", "2", 2, 2, false },
+        { Ring, "StoreBuffers", "event", "2", 2, 2, false },
+        { Ring, "Weak", "event", "2", 2, 2, false },
+        { Pair, "StoreBuffers", "event", "3", 1, 2, true },
+        { Ring, "StoreBuffers", "event", "4", 2, 2, true },
+        { Pair, "StoreBuffers", "event", "4", 4, 2, false },
+        { Ring, "StoreBuffers", "event", "4", 4, 2, false },
     };
 
     /// <summary>As <see cref="SmallWakes"/>.</summary>
-    public static TheoryData<string, string, string, string, int, bool> LargeWakes() => new()
+    public static TheoryData<string, string, string, string, int, int, bool> LargeWakes() => new()
     {
-        { Pair, "StoreBuffers", "event", "4", 2, true },
-        { Pair, "Weak", "event", "4", 2, true },
-        { Pair, "Weak", "futex", "3", 2, false },
-        { Ring, "StoreBuffers", "event", "2 1", 2, false },
-        { Ring, "Weak", "event", "1 1", 2, false },
-        { Ring, "Weak", "event", "4", 2, true },
-        { Ring, "StoreBuffers", "futex", "1 1", 2, false },
+        { Pair, "StoreBuffers", "event", "4", 2, 1, true },
+        { Pair, "Weak", "event", "4", 2, 1, true },
+        { Pair, "Weak", "futex", "3", 2, 1, false },
+        { Ring, "StoreBuffers", "event", "2 1", 2, 1, false },
+        { Ring, "Weak", "event", "1 1", 2, 1, false },
+        { Ring, "Weak", "event", "4", 2, 1, true },
+        { Ring, "StoreBuffers", "futex", "1 1", 2, 1, false },
+        { Ring, "StoreBuffers", "event", "2 1", 2, 2, false },
+        { Pair, "Weak", "event", "4", 2, 2, true },
+        { Ring, "Weak", "event", "4", 2, 2, true },
     };
 
     [Theory, Trait("Clause", "1.4"), Trait("Clause", "3.1")]
     [MemberData(nameof(SmallWakes))]
     public void PushAndPop_OfSleepersInEveryInterleaving_WakeThem(
-        string kind, string memory, string engine, string pushes, int capacity, bool wait)
-        => AssertWakes(kind, memory, engine, pushes, capacity, wait);
+        string kind, string memory, string engine, string pushes, int capacity, int batch, bool wait)
+        => AssertWakes(kind, memory, engine, pushes, capacity, batch, wait);
 
     [Theory, Trait("Category", "Long")]
     [MemberData(nameof(LargeWakes))]
     public void PushAndPop_OfMoreSleepersInEveryInterleaving_WakeThem(
-        string kind, string memory, string engine, string pushes, int capacity, bool wait)
-        => AssertWakes(kind, memory, engine, pushes, capacity, wait);
+        string kind, string memory, string engine, string pushes, int capacity, int batch, bool wait)
+        => AssertWakes(kind, memory, engine, pushes, capacity, batch, wait);
 
     /// <summary>That the exploration finds what it is for.</summary>
     [Theory]
@@ -159,9 +169,13 @@ public sealed class RingExplorationTests(ITestOutputHelper output)
     }
 
     private void AssertWakes(
-        string kind, string memory, string engine, string pushes, int capacity, bool wait)
+        string kind, string memory, string engine, string pushes, int capacity, int batch, bool wait)
     {
-        var scenario = new RingWakeScenario([.. pushes.Split(' ').Select(int.Parse)], capacity) { SendersWait = wait };
+        var scenario = new RingWakeScenario([.. pushes.Split(' ').Select(int.Parse)], capacity)
+        {
+            SendersWait = wait,
+            Batch = batch,
+        };
 
         ExplorationResult result = Explore(memory, new RingWakeModel(scenario, On(engine), (receiver, sender) =>
         {

@@ -60,8 +60,8 @@ internal sealed class RingWakeModel : ExploredModel
         }
     }
 
-    private static void NoteAccepted(int sender)
-        => ExploredSyncPoints.Note(("accepted", sender), s => s.Note(2 * sender)++);
+    private static void NoteAccepted(int sender, int values)
+        => ExploredSyncPoints.Note(("accepted", sender, values), s => s.Note(2 * sender) += values);
 
     // What sleeps and is woken, with its loop.
     private sealed class Sleeper
@@ -127,12 +127,22 @@ internal sealed class RingWakeModel : ExploredModel
 
         private object? Push(int next)
         {
-            bool isIn = model._queue.Push(RingHistory.Value(number, next)) == PushResult.Queued;
-            if (isIn)
-                NoteAccepted(number);
-            else if (model._scenario.SendersWait)
-                return next | Asleep;
-            return isIn && next < model._scenario.Pushes[number] ? next + 1 : null;
+            int most = Math.Min(model._scenario.Batch, model._scenario.Pushes[number] - next + 1);
+            int accepted = most == 1 ? PushOne(next) : PushMany(next, most);
+            if (accepted > 0)
+                NoteAccepted(number, accepted);
+            if (accepted < most)
+                return model._scenario.SendersWait ? (next + accepted) | Asleep : null;
+            return next + most <= model._scenario.Pushes[number] ? next + most : null;
+        }
+
+        private int PushOne(int next)
+            => model._queue.Push(RingHistory.Value(number, next)) == PushResult.Queued ? 1 : 0;
+
+        private int PushMany(int next, int count)
+        {
+            int[] values = [.. Enumerable.Range(next, count).Select(n => RingHistory.Value(number, n))];
+            return model._queue.PushFrom(values);
         }
     }
 }

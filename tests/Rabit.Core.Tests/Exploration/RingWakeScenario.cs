@@ -11,4 +11,7 @@ internal sealed record RingWakeScenario(IReadOnlyList<int> Pushes, int Capacity)
     /// Whether a sender whose push was rejected sleeps until a pop wakes it, and pushes again; else the value is lost.
     /// </summary>
     public bool SendersWait { get; init; }
+
+    /// <summary>How many values a sender pushes at once, where it has as many left.</summary>
+    public int Batch { get; init; } = 1;
 }
