@@ -7,18 +7,18 @@ namespace Rabit.Uav.ImageProcessing;
 // What it reports of its work.
 public sealed partial class ImageProcessingManager
 {
-    private void CountRefusal(PictureQuality quality, string why, bool isByTilt = false)
+    private void CountRefusal(PictureQuality quality, string why, bool isByManoeuvre = false)
     {
         _next.FramesRefused++;
         _next.LastRefusal = why;
-        Count(quality, isByTilt);
+        Count(quality, isByManoeuvre);
     }
 
     // Of the search alone: it is judged by them.
-    private void Count(PictureQuality quality, bool isByTilt = false)
+    private void Count(PictureQuality quality, bool isByManoeuvre = false)
     {
         if (IsSearching)
-            _tally.Add(quality, Now, isByTilt);
+            _tally.Add(quality, Now, isByManoeuvre);
     }
 
     // At once when the command or the camera changed or a picture was judged, else at least once a second.

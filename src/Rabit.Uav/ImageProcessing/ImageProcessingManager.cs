@@ -240,7 +240,7 @@ public sealed partial class ImageProcessingManager : RabitManager
         _next.LastPicture = _search.Facts;
         if (refusal is not null)
         {
-            CountRefusal(_search.Quality, refusal, _search.IsByTilt);
+            CountRefusal(_search.Quality, refusal, _search.IsByManoeuvre);
             return;
         }
 

@@ -68,10 +68,10 @@ internal sealed class PictureSearch : IGroundScaleSource
     public PictureQuality Quality { get; private set; }
 
     /// <summary>
-    /// Whether the last picture could not be used because of the vehicle's tilt alone, as in a manoeuvre with a camera
-    /// that points forward: level, it would show the ground, fine enough.
+    /// Whether the last picture could not be used because of a manoeuvre of the vehicle alone: level, a camera that
+    /// points forward would show the ground, fine enough; or without the rotation it would be sharp enough.
     /// </summary>
-    public bool IsByTilt { get; private set; }
+    public bool IsByManoeuvre { get; private set; }
 
     /// <summary>What was measured of the last picture that was looked at.</summary>
     public PictureFacts? Facts => _judge.Facts;
@@ -97,7 +97,7 @@ internal sealed class PictureSearch : IGroundScaleSource
     public string? Search(in CameraFrame frame, in Pose pose, in ImagingCommand command, byte systemId)
     {
         _reportCount = 0;
-        (Quality, IsByTilt) = (PictureQuality.NotSearched, false);
+        (Quality, IsByManoeuvre) = (PictureQuality.NotSearched, false);
         if (frame.Width != _camera.Width || frame.Height != _camera.Height)
             return WrongSize;
         int bytes = frame.Width * frame.Height * DetectorInput.BytesPerPixel(frame.Format);
@@ -113,7 +113,12 @@ internal sealed class PictureSearch : IGroundScaleSource
         Quality = _judge.Judge(frame, View);
         if (Quality != PictureQuality.Usable)
         {
-            IsByTilt = Quality == PictureQuality.TooCoarse && IsFineWhenLevel(pose, command);
+            IsByManoeuvre = Quality switch
+            {
+                PictureQuality.TooCoarse => IsFineWhenLevel(pose, command),
+                PictureQuality.MotionBlurred => IsSharpWithoutRotation(frame, pose, command),
+                _ => false,
+            };
             return PictureQualityText.RefusalOf(Quality);
         }
 
@@ -167,7 +172,7 @@ internal sealed class PictureSearch : IGroundScaleSource
         if (TryView(frame, pose, command) && isEnough && _part.TryLocate(ref _observation))
             return null;
         Quality = isGround ? PictureQuality.TooCoarse : PictureQuality.NotGround;
-        IsByTilt = IsFineWhenLevel(pose, command);
+        IsByManoeuvre = IsFineWhenLevel(pose, command);
         return isGround ? PictureQualityText.RefusalOf(Quality) : NotGround;
     }
 
@@ -192,6 +197,19 @@ internal sealed class PictureSearch : IGroundScaleSource
     {
         pose.Attitude = Rotation.FromEuler(new EulerAngles(default, default, pose.Attitude.ToEuler().Yaw));
         return _part.TryFind(pose, command, NeededSamplingMetres);
+    }
+
+    // The rotation smears it, and without it it would be sharp enough. Where the pose shows no smear, it is the camera.
+    private bool IsSharpWithoutRotation(in CameraFrame frame, Pose pose, in ImagingCommand command)
+    {
+        PictureView view = View;
+        if (!view.IsSmeared)
+            return false;
+        pose.Rates = default;
+        if (!TrySmear(frame.Exposure, pose, command, view.Centre, out double smear))
+            return false;
+        view.SmearMetres = smear;
+        return !view.IsSmeared;
     }
 
     // The ground in the middle of what is searched moves by the speed and by the rotation, which may cancel (over a

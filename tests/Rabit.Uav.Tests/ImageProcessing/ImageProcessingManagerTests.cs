@@ -235,6 +235,27 @@ public sealed class ImageProcessingManagerTests
         AssertResolved(view, frame, observation);
     }
 
+    // By 6 mrad, 0.24 m from 40 m: 0.15 m are allowed. In a manoeuvre of some seconds it is no fault of the camera.
+    [Fact]
+    public void Frame_SmearedByRotation_IsRefusedAndSaysNothingOfTheCameraAtFirst()
+    {
+        using ImagingRig rig = ImagingRig.Search(ImagingRig.Grass);
+        for (int i = 0; i <= 120; i++)
+            rig.AddPose(
+                i / 10.0, rig.View.Position, default, rig.View.Attitude,
+                BodyRates.FromRadiansPerSecond(i is < 20 or > 100 ? 0 : 3, 0, 0));
+        for (int i = 0; i < 36; i++)
+            rig.Camera!.Add(i, 1 + (i / 4.0), 1.1 + (i / 4.0));
+
+        rig.Run(5);
+        Assert.Equal((1.0, PictureQuality.Usable), (rig.Status.UsableShare!.Value, rig.Status.UnusableCause));
+        Assert.True(rig.Status.FramesRefused >= 8, $"{rig.Status.FramesRefused} refused");
+        rig.Run(4);
+        Assert.Equal(
+            (0.0, PictureQuality.MotionBlurred), (rig.Status.UsableShare!.Value, rig.Status.UnusableCause));
+        rig.AssertAllGivenBack();
+    }
+
     [Fact]
     public void Frame_WithoutABufferOrWithOneTooSmall_IsRefused()
     {

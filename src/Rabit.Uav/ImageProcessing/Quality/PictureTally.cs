@@ -14,10 +14,10 @@ internal sealed class PictureTally
     private PictureCounts _counts;
 
     /// <summary>Counts one.</summary>
-    public void Add(PictureQuality quality, TimeSpan now, bool isByTilt)
+    public void Add(PictureQuality quality, TimeSpan now, bool isByManoeuvre)
     {
         _counts.Count(quality);
-        _window.Add(quality, now, isByTilt);
+        _window.Add(quality, now, isByManoeuvre);
     }
 
     /// <summary>Forgets what was lately: it says nothing of the next search.</summary>

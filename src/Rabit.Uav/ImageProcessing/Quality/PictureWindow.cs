@@ -9,8 +9,8 @@ internal sealed class PictureWindow
     // Fewer pictures say nothing of the camera: one that is bad would be a third of them.
     public const int MinPictures = 4;
 
-    // A manoeuvre: braking, accelerating, turning. A tilt that lasts longer is how this flight is flown.
-    private static readonly TimeSpan MaxTilt = TimeSpan.FromSeconds(5);
+    // A manoeuvre: braking, accelerating, turning. One that lasts longer is how this flight is flown.
+    private static readonly TimeSpan MaxManoeuvre = TimeSpan.FromSeconds(5);
 
     private const int Capacity = 128;
 
@@ -20,7 +20,7 @@ internal sealed class PictureWindow
     private readonly TimeSpan _maxAge;
     private readonly int[] _counts = new int[(int)PictureQuality.MotionBlurred + 1];
     private long _added;
-    private TimeSpan? _tiltedSince;
+    private TimeSpan? _manoeuvreSince;
 
     /// <param name="length">How long a picture counts.</param>
     /// <param name="maxAge">How long it does where there are few of them.</param>
@@ -39,18 +39,18 @@ internal sealed class PictureWindow
     public void Clear()
     {
         _added = 0;
-        _tiltedSince = null;
+        _manoeuvreSince = null;
         (UsableShare, MainCause, CauseShare) = (null, PictureQuality.Usable, 0);
     }
 
     /// <summary>Adds one.</summary>
     /// <param name="quality">What became of it.</param>
     /// <param name="now">The time.</param>
-    /// <param name="isByTilt">Whether the vehicle's tilt alone is why: for some seconds it says nothing.</param>
-    public void Add(PictureQuality quality, TimeSpan now, bool isByTilt = false)
+    /// <param name="isByManoeuvre">Whether a manoeuvre alone is why: for some seconds it says nothing.</param>
+    public void Add(PictureQuality quality, TimeSpan now, bool isByManoeuvre = false)
     {
-        _tiltedSince = isByTilt ? _tiltedSince ?? now : null;
-        if (now - _tiltedSince < MaxTilt)
+        _manoeuvreSince = isByManoeuvre ? _manoeuvreSince ?? now : null;
+        if (now - _manoeuvreSince < MaxManoeuvre)
             return;
         _times[_added % Capacity] = now;
         _qualities[_added % Capacity] = quality;

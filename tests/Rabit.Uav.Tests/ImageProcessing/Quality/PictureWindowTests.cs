@@ -55,7 +55,7 @@ public class PictureWindowTests
             _window.Add(PictureQuality.Usable, TimeSpan.FromSeconds(i / 5.0));
         double now = 2;
         for (; now <= 2 + seconds; now += 0.2)
-            _window.Add(PictureQuality.NotGround, TimeSpan.FromSeconds(now), isByTilt: true);
+            _window.Add(PictureQuality.NotGround, TimeSpan.FromSeconds(now), isByManoeuvre: true);
         _window.Update(TimeSpan.FromSeconds(now));
         Assert.Equal(usable, _window.UsableShare);
     }
