@@ -230,7 +230,10 @@ public sealed partial class RabitWorkspace
     internal StatusEndpoint StatusEndpointOf(string managerName)
     {
         var binding = new MessageBinding<ManagerStatus>(
-            NewOwner(), EndpointRole.Publish, RabitManager.StatusMessageName(managerName)) { PostsRarely = true };
+            NewOwner(), EndpointRole.Publish, RabitManager.StatusMessageName(managerName))
+        {
+            PostsRarely = true, // only when the manager hangs
+        };
         lock (_gate)
             BindLate(binding);
         return new StatusEndpoint(binding);
