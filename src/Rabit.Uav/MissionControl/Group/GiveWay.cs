@@ -7,7 +7,7 @@ namespace Rabit.Uav.MissionControl;
 /// Gives way to a vehicle of the group that would come too near: waits where it is, or flies away from it where it is
 /// near already, until the way is clear. One thread.
 /// </summary>
-internal sealed class GiveWay(GroupSeparation separation, GroupMembers members, Action<string> log)
+internal sealed class GiveWay(GroupSeparation separation, Action<string> log)
 {
     // Away from the other one: more than has to be, for it drifts.
     private const double AwayMetres = GroupSeparation.HorizontalMetres + 15;
@@ -39,7 +39,7 @@ internal sealed class GiveWay(GroupSeparation separation, GroupMembers members, 
     public byte? Tick(MissionFlight flight, byte systemId, in GroupReport own)
     {
         PlanePoint wanted = VelocityTo(flight, _conflict is null ? flight.GoalPosition : _wanted);
-        if (separation.FindConflict(flight, systemId, own, wanted, members) is { } found)
+        if (separation.FindConflict(flight, systemId, own, wanted) is { } found)
             Meet(flight, found);
         if (_conflict is not { } current)
             return null;

@@ -18,7 +18,7 @@ internal sealed class GroupMembers(TimeSpan silentAfter)
     // Of two with one system id now one, now the other is not received for a while.
     private static readonly TimeSpan TwiceMemory = TimeSpan.FromSeconds(30);
 
-    private readonly SortedDictionary<byte, (GroupReport Report, TimeSpan Time)> _reports = [];
+    private readonly SortedDictionary<byte, GroupTraffic> _traffic = [];
 
     // By system id: reports from elsewhere, and whether the first one was received after such a one.
     private readonly SortedDictionary<byte, (double Metres, TimeSpan Time, bool IsSure)> _twice = [];
@@ -28,7 +28,7 @@ internal sealed class GroupMembers(TimeSpan silentAfter)
 
     /// <summary>All that ever reported, by system id.</summary>
     public IEnumerable<(byte SystemId, GroupReport Report, TimeSpan Time)> All
-        => _reports.Select(r => (r.Key, r.Value.Report, r.Value.Time));
+        => _traffic.Select(t => (t.Key, t.Value.Report, t.Value.Time));
 
     /// <summary>Takes a report.</summary>
     /// <param name="envelope">The report.</param>
@@ -38,15 +38,15 @@ internal sealed class GroupMembers(TimeSpan silentAfter)
     public void Receive(in Envelope<GroupReport> envelope, byte ownSystemId, uint lanesKey, TimeSpan now)
     {
         byte source = envelope.SourceSystemId;
-        bool isKnown = _reports.TryGetValue(source, out (GroupReport Report, TimeSpan Time) last);
+        bool isKnown = _traffic.TryGetValue(source, out GroupTraffic? last);
         TimeSpan time = envelope.SentTime < now ? envelope.SentTime : now;
         bool isOurs = source != 0 && source != ownSystemId && envelope.Content.LanesKey == lanesKey;
-        if (!isOurs || (!isKnown && _reports.Count >= MaxMembers))
+        if (!isOurs || (!isKnown && _traffic.Count >= MaxMembers))
             Refused++;
-        else if (isKnown && IsOfAnother(source, envelope.Content, last, now))
+        else if (last is not null && IsOfAnother(source, envelope.Content, last, now))
             Refused++;
-        else if (!isKnown || time >= last.Time)
-            _reports[source] = (envelope.Content, time);
+        else
+            (last ?? (_traffic[source] = new GroupTraffic())).Take(envelope.Content, time);
     }
 
     /// <summary>
@@ -61,29 +61,31 @@ internal sealed class GroupMembers(TimeSpan silentAfter)
 
     /// <summary>Whether a vehicle is received.</summary>
     public bool IsPresent(byte systemId, TimeSpan now)
-        => _reports.TryGetValue(systemId, out (GroupReport Report, TimeSpan Time) last)
-            && now - last.Time <= silentAfter;
+        => _traffic.TryGetValue(systemId, out GroupTraffic? last) && now - last.Time <= silentAfter;
 
     /// <summary>The last report of a vehicle; null where there is none.</summary>
     public GroupReport? Find(byte systemId)
-        => _reports.TryGetValue(systemId, out (GroupReport Report, TimeSpan Time) last) ? last.Report : null;
+        => _traffic.TryGetValue(systemId, out GroupTraffic? last) ? last.Report : null;
 
     /// <summary>Those that are received, in the order of their system ids.</summary>
     public IEnumerable<(byte SystemId, GroupReport Report)> Present(TimeSpan now)
-        => _reports.Where(r => now - r.Value.Time <= silentAfter).Select(r => (r.Key, r.Value.Report));
+        => PresentTraffic(now).Select(t => (t.SystemId, t.Traffic.Report));
+
+    /// <summary>As <see cref="Present"/>, with how they move.</summary>
+    public IEnumerable<(byte SystemId, GroupTraffic Traffic)> PresentTraffic(TimeSpan now)
+        => _traffic.Where(t => now - t.Value.Time <= silentAfter).Select(t => (t.Key, t.Value));
 
     /// <summary>Forgets all: the lanes are others now.</summary>
     public void Clear()
     {
-        _reports.Clear();
+        _traffic.Clear();
         _twice.Clear();
     }
 
     // Of two vehicles with one system id the one that was there first counts while it is received: which of them the
     // lanes and targets of that id are would otherwise change with each report. One that only moves, as a position does
     // that becomes better, is taken for another one no longer than until the old place is silent.
-    private bool IsOfAnother(
-        byte source, in GroupReport report, in (GroupReport Report, TimeSpan Time) last, TimeSpan now)
+    private bool IsOfAnother(byte source, in GroupReport report, GroupTraffic last, TimeSpan now)
     {
         NedPosition off = LocalNedFrame.IgnoringGeoid(last.Report.LandingPlace).ToNed(report.LandingPlace);
         double metres = new PlanePoint(off.North, off.East).Length;

@@ -1,5 +1,5 @@
 using System;
-using System.Collections.Generic;
+using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
@@ -11,7 +11,7 @@ namespace Rabit.Uav.MissionControl;
 /// in its layer there are none; one that lands where it is, or is held on its way down, is in the layers of others.
 /// One thread.
 /// </summary>
-internal sealed class GroupSeparation
+internal sealed class GroupSeparation(GroupMembers members)
 {
     /// <summary>Vehicles of one height are at least this far apart, metres.</summary>
     public const double HorizontalMetres = 30;
@@ -31,40 +31,21 @@ internal sealed class GroupSeparation
 
     private const double OnGroundMetres = 2;
 
-    private readonly SortedDictionary<byte, GroupTraffic> _traffic = [];
-
-    /// <summary>Takes what the others reported last.</summary>
-    public void Update(GroupMembers members)
-    {
-        foreach ((byte id, GroupReport report, TimeSpan time) in members.All)
-        {
-            if (!_traffic.TryGetValue(id, out GroupTraffic? traffic))
-                _traffic[id] = traffic = new GroupTraffic();
-            traffic.Take(report, time);
-        }
-    }
-
-    /// <summary>Forgets all: the group is another one now.</summary>
-    public void Clear() => _traffic.Clear();
-
     /// <summary>The first vehicle that we would come too near to; null where there is none.</summary>
     /// <param name="flight">The state of the mission; with a plan.</param>
     /// <param name="systemId">Ours.</param>
     /// <param name="own">What we report.</param>
     /// <param name="velocity">Over ground, as we would go on.</param>
-    /// <param name="members">Who is received.</param>
     public SeparationConflict? FindConflict(
-        MissionFlight flight, byte systemId, in GroupReport own, PlanePoint velocity, GroupMembers members)
+        MissionFlight flight, byte systemId, in GroupReport own, PlanePoint velocity)
     {
         if (flight.Position.Length <= LandingMetres)
             return null;
         SeparationConflict? first = null;
-        foreach (KeyValuePair<byte, GroupTraffic> other in _traffic)
+        foreach ((byte id, GroupTraffic traffic) in members.PresentTraffic(flight.Now))
         {
-            if (!members.IsPresent(other.Key, flight.Now) || !IsFlying(other.Value.Report)
-                || !HasPriority(other.Key, other.Value.Report, systemId, own))
-                continue;
-            if (Predict(flight, own, velocity, other) is { } conflict
+            if (IsFlying(traffic.Report) && HasPriority(id, traffic.Report, systemId, own)
+                && Predict(flight, own, velocity, id, traffic) is { } conflict
                 && (first is null || conflict.SecondsToGo < first.Value.SecondsToGo))
                 first = conflict;
         }
@@ -74,19 +55,18 @@ internal sealed class GroupSeparation
 
     /// <summary>A vehicle below us, through whose layer we would sink here; null where there is none.</summary>
     /// <param name="flight">The state of the mission; with a plan.</param>
-    /// <param name="members">Who is received.</param>
-    public byte? FindBelow(MissionFlight flight, GroupMembers members)
+    public byte? FindBelow(MissionFlight flight)
     {
-        foreach (KeyValuePair<byte, GroupTraffic> other in _traffic)
+        foreach ((byte id, GroupTraffic traffic) in members.PresentTraffic(flight.Now))
         {
-            GroupReport report = other.Value.Report;
-            double below = flight.Vehicle.Position.AltitudeAmslMetres - report.Position.AltitudeAmslMetres;
-            if (below <= 0 || !members.IsPresent(other.Key, flight.Now) || !IsFlying(report))
+            GeodeticPosition at = traffic.Report.Position;
+            bool isBelow = at.AltitudeAmslMetres < flight.Vehicle.Position.AltitudeAmslMetres;
+            if (!isBelow || !IsFlying(traffic.Report))
                 continue;
             for (double s = 0; s <= HorizonSeconds; s += StepSeconds)
             {
-                if (flight.Position.DistanceTo(PlaceOf(flight, other.Value, s)) < HorizontalMetres + MarginMetres)
-                    return other.Key;
+                if (flight.Position.DistanceTo(PlaceOf(flight, traffic, s)) < HorizontalMetres + MarginMetres)
+                    return id;
             }
         }
 
@@ -96,19 +76,9 @@ internal sealed class GroupSeparation
     /// <summary>
     /// Whether a vehicle flies that is neither over its landing place nor sure to stay in its layer.
     /// </summary>
-    public bool IsAnyOutOfLayer(MissionFlight flight, GroupMembers members)
-    {
-        foreach (KeyValuePair<byte, GroupTraffic> other in _traffic)
-        {
-            GroupReport report = other.Value.Report;
-            bool maySink = report.State == GroupMemberState.Leaving || !IsInLayer(report);
-            if (maySink && members.IsPresent(other.Key, flight.Now) && IsFlying(report)
-                && DistanceFromLanding(report) > LandingMetres)
-                return true;
-        }
-
-        return false;
-    }
+    public bool IsAnyOutOfLayer(TimeSpan now) => members.Present(now).Any(m => IsFlying(m.Report)
+        && (m.Report.State == GroupMemberState.Leaving || !IsInLayer(m.Report))
+        && DistanceFromLanding(m.Report) > LandingMetres);
 
     /// <summary>Whether a vehicle flies where we would climb to our layer; not one over its landing place.</summary>
     /// <param name="place">Where we stand.</param>
@@ -130,9 +100,8 @@ internal sealed class GroupSeparation
     }
 
     private static SeparationConflict? Predict(
-        MissionFlight flight, in GroupReport own, PlanePoint velocity, KeyValuePair<byte, GroupTraffic> other)
+        MissionFlight flight, in GroupReport own, PlanePoint velocity, byte id, GroupTraffic traffic)
     {
-        GroupTraffic traffic = other.Value;
         double age = Math.Max(0, (flight.Now - traffic.Time).TotalSeconds);
         double above = traffic.Report.Position.AltitudeAmslMetres - own.Position.AltitudeAmslMetres;
         double sinks = IsInLayer(traffic.Report) && CanGiveWay(traffic.Report) ? 0 : traffic.Velocity.Down;
@@ -142,7 +111,7 @@ internal sealed class GroupSeparation
             double height = above - (sinks * (age + s)) - (ClimbOf(flight) * s);
             double apart = (flight.Position + (s * velocity)).DistanceTo(place);
             if (apart < HorizontalMetres + MarginMetres && Math.Abs(height) < GroupOptions.SeparationMetres)
-                return new SeparationConflict(other.Key, place, height, s);
+                return new SeparationConflict(id, place, height, s);
         }
 
         return null;

@@ -26,12 +26,15 @@ internal sealed class GroupTraffic
     /// <summary>Metres per second.</summary>
     public NedVector Velocity { get; private set; }
 
-    /// <summary>Takes a report; one that is not newer changes nothing.</summary>
+    /// <summary>Takes a report; one that is older than the last changes nothing.</summary>
     public void Take(in GroupReport report, TimeSpan time)
     {
-        if (time <= Time)
+        if (time < Time)
             return;
+        bool isNewer = time > Time;
         (Report, Time) = (report, time);
+        if (!isNewer)
+            return;
         if (_kept.Count == MaxKept)
             _kept.Dequeue();
         _kept.Enqueue((report.Position, time));

@@ -3,8 +3,10 @@ namespace Rabit.Uav.MissionControl;
 // Vehicles that are not in their layer are given way to.
 internal sealed partial class MissionGroup
 {
-    private readonly GroupSeparation _separation = new();
+    private GroupSeparation? _separation;
     private GiveWay? _giveWay;
+
+    private GroupSeparation Separation => _separation ??= new GroupSeparation(_members);
 
     /// <summary>
     /// Gives way to a vehicle that is in our height and would come too near; on a leg, in each tick before its goal.
@@ -17,7 +19,7 @@ internal sealed partial class MissionGroup
     public bool KeepClear(MissionFlight flight, out string? blockedBy)
     {
         blockedBy = null;
-        _giveWay ??= new GiveWay(_separation, _members, log);
+        _giveWay ??= new GiveWay(Separation, log);
         if (SystemId == 0 || _giveWay.Tick(flight, SystemId, _own) is not { } other)
             return false;
         if (!_giveWay.IsBlocked(flight.Now))
@@ -28,10 +30,10 @@ internal sealed partial class MissionGroup
     }
 
     /// <summary>The vehicle through whose layer we would sink here; null where there is none.</summary>
-    public byte? FindBelow(MissionFlight flight) => _separation.FindBelow(flight, _members);
+    public byte? FindBelow(MissionFlight flight) => Separation.FindBelow(flight);
 
     /// <summary>Whether another vehicle may be in the way of a return, which gives way to none.</summary>
-    public bool IsAnyOutOfLayer(MissionFlight flight) => _separation.IsAnyOutOfLayer(flight, _members);
+    public bool IsAnyOutOfLayer(MissionFlight flight) => Separation.IsAnyOutOfLayer(flight.Now);
 
     /// <summary>No leg is flown any more.</summary>
     public void EndGiveWay() => _giveWay?.End();

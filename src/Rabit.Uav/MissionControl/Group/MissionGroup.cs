@@ -103,7 +103,6 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
             return;
         NotePlan(flight);
         _own = ReportOf(flight, phase);
-        _separation.Update(_members);
         (byte SystemId, GroupReport Report)[] present = _members.Present(flight.Now).ToArray();
         if (Lanes is { } lanes)
         {
@@ -265,11 +264,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         _coverage.Clear();
         (_share, _doneSince, _isSpent, _skippedShared) = (default, null, false, 0);
         if (!isFirst && _key != before)
-        {
             _members.Clear();
-            _separation.Clear();
-        }
-
         foreach (LaneCoverage seen in _seenBefore.Values)
             Take(flight, seen, Lanes, flight.Route!);
         _seenBefore.Clear();
