@@ -9,8 +9,9 @@ namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
 /// A video device of Linux (Video4Linux 2), as USB cameras are. A device that is missing, in use, unplugged or gives
-/// nothing for too long is a fault of the camera; it is opened again after a delay that doubles, and Health Monitoring
-/// sees a camera without pictures meanwhile. It needs real time. The figures may be read from any thread.
+/// for too long nothing, or only pictures that cannot be used, is a fault of the camera; it is opened again after a
+/// delay that doubles, and Health Monitoring sees a camera without pictures meanwhile. It needs real time. The figures
+/// may be read from any thread.
 /// </summary>
 /// <remarks>
 /// The time of a picture is that of the driver, where it takes one of the clock that only goes forward: the start of
@@ -50,6 +51,7 @@ public sealed class V4l2Camera : ICamera
     private ReaderContext? _context;
     private V4l2Device? _device;
     private TimeSpan _lastBuffer;
+    private TimeSpan? _refusedSince;   // null after a picture that was good
     private uint? _lastSequence;
     private long _number = -1;
     private volatile bool _isStopping;
@@ -145,7 +147,7 @@ public sealed class V4l2Camera : ICamera
         try
         {
             _device = new V4l2Device(_system, _options);
-            (_lastBuffer, _lastSequence) = (_context!.Now, null);
+            (_lastBuffer, _lastSequence, _refusedSince) = (_context!.Now, null, null);
             if (_bytes.Length < _device.MaxBytes)
                 _bytes = new byte[_device.MaxBytes];
             _journal.Log(_device.Card);
@@ -230,7 +232,7 @@ public sealed class V4l2Camera : ICamera
         catch (PictureException e)
         {
             lease.Dispose();
-            Refuse(e.Reason);
+            Refuse(e.Reason, now);
             return false;
         }
         catch (VideoDeviceException)
@@ -243,6 +245,7 @@ public sealed class V4l2Camera : ICamera
         frame = Stamp(device, buffer, now, monotonic);
         frame.Pixels = lease;
         _journal.Deliver();
+        _refusedSince = null;
         return true;
     }
 
@@ -281,9 +284,16 @@ public sealed class V4l2Camera : ICamera
         };
     }
 
-    private void Refuse(string reason)
+    // A device that hangs may go on to give pictures, none of them whole. Those that are left out are not looked at.
+    private void Refuse(string reason, TimeSpan now)
     {
         if (_journal.Refuse(reason) is { } line)
             _journal.WriteLine(line);
+        _refusedSince ??= now;
+        if (now - _refusedSince > _options.StallTimeout)
+        {
+            Fail(FormattableString.Invariant(
+                $"it gave only pictures that cannot be used for {_options.StallTimeout.TotalSeconds} s ({reason})"));
+        }
     }
 }

@@ -64,7 +64,10 @@ public sealed class V4l2CameraOptions
     /// </value>
     public TimeSpan? TimeNoise { get; set; }
 
-    /// <summary>The device is closed and opened again when it has given no picture for so long.</summary>
+    /// <summary>
+    /// The device is closed and opened again when it has given nothing for so long, or only pictures that cannot be
+    /// used.
+    /// </summary>
     /// <value>The default is 5 s.</value>
     public TimeSpan StallTimeout { get; set; } = TimeSpan.FromSeconds(5);
 

@@ -180,6 +180,57 @@ public sealed class V4l2CameraTests : IDisposable
         Take(1);
     }
 
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void Read_OnlyPicturesThatCannotBeUsed_IsAFault(bool areDamaged)
+    {
+        V4l2CameraOptions options = Options();
+        options.StallTimeout = TimeSpan.FromSeconds(0.2);
+        Start(options);
+        _system.Deliver(Jpeg);
+        Take(1);
+
+        string fault = "/dev/video0: it gave only pictures that cannot be used for 0.2 s (";
+        bool isFault = SpinWait.SpinUntil(
+            () =>
+            {
+                if (areDamaged)
+                    _system.Deliver(Jpeg, FakeVideoSystem.StartOfExposure | 0x40);
+                else
+                    _system.Deliver([0xFF, 0xD8, 0xFF, 0xD9]);
+                return _log.Any(l => l.StartsWith(fault, StringComparison.Ordinal));
+            },
+            MaxWait);
+        Assert.True(isFault, string.Join("\n", _log));
+        string line = _log.First(l => l.StartsWith(fault, StringComparison.Ordinal));
+        Assert.EndsWith("; it is opened again in 0.05 s", line, StringComparison.Ordinal);
+
+        Assert.True(SpinWait.SpinUntil(() => _camera!.Statistics.Restarts == 1, MaxWait), $"{_camera!.Statistics}");
+        _system.Deliver(Jpeg);
+        Take(2);
+        Assert.Null(_camera.Statistics.Fault);
+    }
+
+    [Fact]
+    public void Read_OneInThreeCannotBeUsed_IsNotOpenedAgain()
+    {
+        V4l2CameraOptions options = Options();
+        options.StallTimeout = TimeSpan.FromSeconds(0.1);
+        Start(options);
+        for (int count = 1; _reactor!.Now < TimeSpan.FromSeconds(0.5); count++)
+        {
+            _system.Deliver([0xFF, 0xD8, 0xFF, 0xD9]);
+            long refused = count;
+            Assert.True(
+                SpinWait.SpinUntil(() => _camera!.Statistics is { } s && s.Refused + s.Skipped >= refused, MaxWait));
+            _system.Deliver(Jpeg);
+            Take(count);
+        }
+
+        Assert.Equal(0, _camera!.Statistics.Restarts);
+    }
+
     [Fact]
     public void Read_DriverInError_IsAFaultAtOnce()
     {
