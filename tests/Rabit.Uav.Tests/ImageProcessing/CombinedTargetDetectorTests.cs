@@ -121,6 +121,66 @@ public sealed class CombinedTargetDetectorTests
         Assert.Equal(count, Search(picture, classes, classes).Length);
     }
 
+    // Of the hue of the panel, as dry grass in warm light: the form takes some of it for a part of itself.
+    [Fact]
+    public void Detect_PanelOnGroundOfItsHue_IsThatPanelAndNoPerson()
+    {
+        TargetClass person = new("person")
+        {
+            Colour = new ColourRange(243, 214, 28),
+            MinSideMetres = 0.5,
+            MaxSideMetres = 1.3,
+            MinAspect = 1.3,
+            MaxAspect = 4.5,
+            MinColourShare = 0.35,
+        };
+        ImmutableArray<TargetClass> classes = [.. TargetClass.Defaults, person];
+        var painting = new Painting(11);
+        painting.Rectangle((136, 118, 46), 211, 141, 10, 5, 0);
+        painting.Panel(DefaultTargetClasses.Yellow, 200, 150, 13, 0, light: 0.75);
+        byte[] picture = painting.Finish();
+
+        Assert.Equal(["person"], ClassesOf(Search(picture, [person], [person])));
+        Assert.Equal(["yellow"], ClassesOf(Search(picture, classes, classes)));
+    }
+
+    // The whole ground passes as yellow: the panel is not seen as one, and its blue half looks like a person.
+    [Theory]
+    [InlineData(0)]
+    [InlineData(0.6)]
+    [InlineData(1.5)]
+    public void Detect_HalfOfAPanelOnGroundOfTheOtherHue_IsThatPanelAndNoPerson(double angle)
+    {
+        TargetClass person = new("person")
+        {
+            Colour = new ColourRange(28, 72, 205),
+            MinSideMetres = 0.5,
+            MaxSideMetres = 1.3,
+            MinAspect = 1.3,
+            MaxAspect = 4.5,
+            MinColourShare = 0.35,
+        };
+        TargetClass panel = new("blue-yellow")
+        {
+            Colour = new ColourRange(28, 72, 205),
+            SecondColour = new ColourRange(243, 214, 28),
+        };
+        var painting = new Painting(12);
+        painting.Rectangle((93, 81, 30), 320, 240, Painting.Width, Painting.Height, 0);
+        painting.TwoColours((16, 40, 110), (148, 121, 18), 200, 150, 13, angle, isChequered: false);
+        painting.Rectangle((16, 40, 110), 400, 300, 13, 6.5, angle);   // what looks like it, and lies alone
+        byte[] picture = painting.Finish();
+
+        Assert.Equal(["person", "person"], ClassesOf(Search(picture, [person], [person])));
+        TargetDetection[] both = Search(picture, [person, panel], [person, panel]);
+        Assert.Equal(["blue-yellow", "person"], ClassesOf(both));
+        TargetDetection found = both.Single(f => f.Class == panel.Name);
+        Assert.Equal(200, found.CentreX, 1.0);
+        Assert.Equal(150, found.CentreY, 1.0);
+        Assert.Equal(1, found.SideMetres, 0.15);
+        Assert.Equal(["person"], ClassesOf(Search(picture, [person, panel], [person])));
+    }
+
     /// <summary>The other half of the panel is beyond the border, but for so many rows.</summary>
     [Theory]
     [InlineData(1)]

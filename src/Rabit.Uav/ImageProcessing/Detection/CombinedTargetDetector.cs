@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Immutable;
+using System.Linq;
 using Rabit.Uav.Messages;
 using Rabit.Vision;
 
@@ -11,20 +12,26 @@ namespace Rabit.Uav.ImageProcessing;
 /// is not searched. What a detector finds within what one before it has found is a part of that: the red half of a
 /// panel in red and white is no red panel. And what is of the colour of a much larger thing around it is a part of
 /// that: the roof of a blue car is no blue panel. What is clearly likelier the coloured part of a form than a panel of
-/// that colour is no panel: the jacket of a person. What the border of the picture cuts is left out: a camera in flight
+/// that colour is no panel: the jacket of a person. A form beside which the other colour of a panel of two lies is half
+/// of that panel. What the border of the picture cuts is left out: a camera in flight
 /// sees it whole a moment later, and it may be a part of anything that is larger.
 /// </summary>
 /// <param name="parts">Those that know a thing best come first.</param>
 internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts) : ITargetDetector
 {
-    // By the areas of the boxes around them.
-    private const double MuchLarger = 2;
+    // By their areas on the ground. In simulated flights a form that took ground of its hue in had up to 2.05 of the
+    // area of the panel that it was; cars have 6 times that of what is of a panel's size on them.
+    private const double MuchLarger = 2.5;
 
     // Of colours, the edge of what still counts as the same.
     private const double MinCloseness = 0.6;
 
     // Of scores. In simulated flights a jacket is that of a person by 0.31 and more, a panel by 0.03 at most.
     private const double ClearlyLikelier = 0.15;
+
+    private readonly PanelHalf _half = new();
+    private readonly TargetClass[] _twoColours =
+        [.. parts.SelectMany(p => p.Classes).Where(c => c.SecondColour is not null)];
 
     private TargetDetection[] _found = [];
     private TargetDetection[] _kept = [];
@@ -45,7 +52,7 @@ internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts)
             if (result.Refusal is not null)
                 return result;
             dropped += result.Dropped;
-            Keep(part, result.Count);
+            Keep(part, result.Count, input);
         }
 
         for (int i = 0; i < _keptCount; i++)
@@ -74,13 +81,15 @@ internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts)
         _classOfKept = new TargetClass?[most * parts.Length];
     }
 
-    private void Keep(PartDetector part, int count)
+    private void Keep(PartDetector part, int count, in DetectorInput input)
     {
         int before = _keptCount;
         for (int i = 0; i < count; i++)
         {
             ref readonly TargetDetection found = ref _found[i];
             if (part.Find(found.Class) is not { } target || IsPart(found, target, before))
+                continue;
+            if (target.IsShaped && TryCompletePanel(input, found, target))
                 continue;
             for (int other = 0; other < before; other++)
             {
@@ -91,6 +100,37 @@ internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts)
             (_kept[_keptCount], _classOfKept[_keptCount]) = (found, target);
             _keptCount++;
         }
+    }
+
+    // A half of a panel is none of what it looks like; also of one that is not searched for.
+    private bool TryCompletePanel(in DetectorInput input, in TargetDetection form, TargetClass formClass)
+    {
+        foreach (TargetClass panel in _twoColours)
+        {
+            if (!_half.TryComplete(input, form, formClass.Colour!, panel, out TargetDetection whole))
+                continue;
+            bool isKept = !IsWanted(panel);
+            for (int i = 0; i < _keptCount; i++)
+                isKept |= _classOfKept[i] == panel && IsWithin(whole, _kept[i]);
+            if (isKept)
+                return true;
+            (_kept[_keptCount], _classOfKept[_keptCount]) = (whole, panel);
+            _keptCount++;
+            return true;
+        }
+
+        return false;
+    }
+
+    private bool IsWanted(TargetClass target)
+    {
+        foreach (TargetClass one in _classes)
+        {
+            if (one.Name == target.Name)
+                return true;
+        }
+
+        return false;
     }
 
     // Of what detectors before it have found, but for what is a part of itself.
@@ -112,10 +152,13 @@ internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts)
             && IsWithin(small, large)
             && (IsMuchLarger(large, small) || (largeClass.IsShaped && large.Score > small.Score + ClearlyLikelier));
 
+    // The box around a thing says little of it: a thread of ground that is joined to it makes that twice as large.
     private static bool IsMuchLarger(in TargetDetection large, in TargetDetection small)
-        => large.WidthPixels * large.HeightPixels >= MuchLarger * small.WidthPixels * small.HeightPixels;
+        => large.SideMetres > 0 && small.SideMetres > 0
+            ? large.SideMetres * large.SideMetres >= MuchLarger * small.SideMetres * small.SideMetres
+            : large.WidthPixels * large.HeightPixels >= MuchLarger * small.WidthPixels * small.HeightPixels;
 
-    private static bool AreAlike(ColourRange one, ColourRange other)
+    internal static bool AreAlike(ColourRange one, ColourRange other)
         => (PanelColours.IsWhite(one) && PanelColours.IsWhite(other))
             || one.Closeness(other.Red, other.Green, other.Blue) >= MinCloseness;
 

@@ -8,6 +8,8 @@ internal sealed class PartDetector(ITargetDetector detector, ImmutableArray<Targ
 {
     public ITargetDetector Detector { get; } = detector;
 
+    public ImmutableArray<TargetClass> Classes => classes;
+
     public bool IsWanted { get; private set; }
 
     /// <summary>Takes the classes that are searched for.</summary>
