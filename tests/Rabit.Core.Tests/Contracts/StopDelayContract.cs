@@ -324,6 +324,7 @@ public abstract class StopDelayContract(TimeKind kind) : ContractTests(kind)
                 read.Add(value);
         };
         run.StartAndSettle();
+        run.Until(() => source.IsOpen, "it is opened, on a thread of its own");
         source.Ask();
         run.Until(() => read.Count == 1, "it was asked once");
 
@@ -347,10 +348,12 @@ public abstract class StopDelayContract(TimeKind kind) : ContractTests(kind)
     /// <summary>Gives, as often as it is asked, whether a stop is requested.</summary>
     private sealed class StopAwareSource : IReaderSource<bool>
     {
-        private ReaderContext? _context;
+        private volatile ReaderContext? _context;   // written by the reader's thread
         private int _asked;
 
         public bool Blocks => false;
+
+        public bool IsOpen => _context is not null;
 
         public void Open(ReaderContext context) => _context = context;
 
@@ -362,10 +365,9 @@ public abstract class StopDelayContract(TimeKind kind) : ContractTests(kind)
 
         public ReaderStep Read(out bool value)
         {
-            value = _context!.IsStopRequested;
-            if (Interlocked.Exchange(ref _asked, 0) == 0)
-                return ReaderStep.WaitForSignal;
-            return ReaderStep.Value;
+            bool isAsked = Interlocked.Exchange(ref _asked, 0) != 0;
+            value = _context!.IsStopRequested;   // after the question, or it could be the answer to one asked later
+            return isAsked ? ReaderStep.Value : ReaderStep.WaitForSignal;
         }
 
         public void Unblock()

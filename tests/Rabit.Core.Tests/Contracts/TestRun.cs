@@ -108,8 +108,10 @@ internal sealed class TestRun : IDisposable
 
     public void Dispose()
     {
-        if (_hasStarted && _result is null)
-            Finish();
+        if (!_hasStarted || _result is not null)
+            return;
+        Reactor.Stop("the test failed");
+        Finish();   // the second stop: one that failed while a manager delays the first does not wait for it
     }
 
     private void Write(RabitLogEntry entry)
