@@ -34,6 +34,11 @@ public struct GroupReport
     /// <summary>What is left of the lanes that are its share, metres.</summary>
     public double MetresLeft { get; set; }
 
+    /// <summary>
+    /// How much of the area it knows to be seen, by itself or by others, 0 to 1: the group has seen that much or more.
+    /// </summary>
+    public double SeenFraction { get; set; }
+
     /// <summary>MAVLink system id of the vehicle whose division of the lanes it follows; 0 for none.</summary>
     public byte DivisionAuthor { get; set; }
 

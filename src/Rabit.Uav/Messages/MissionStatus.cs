@@ -43,7 +43,9 @@ public struct MissionStatus
     /// <summary>How many of them were left out at the operator's command.</summary>
     public int LanesSkipped { get; set; }
 
-    /// <summary>Fraction of the area that the camera has seen, 0 to 1.</summary>
+    /// <summary>
+    /// Fraction of the area that the camera has seen, 0 to 1; in a group what another vehicle reports where that is more.
+    /// </summary>
     public double Coverage { get; set; }
 
     /// <summary>Tracks that were revisited.</summary>

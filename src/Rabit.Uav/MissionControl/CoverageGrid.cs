@@ -62,21 +62,28 @@ internal sealed class CoverageGrid
         return cell >= 0 && _isArea[cell] && !_isSeen[cell];
     }
 
-    /// <summary>
-    /// How many places of the area a strip has, one for each cell, and how many of them were not seen.
-    /// </summary>
+    /// <summary>Whether a strip was seen, by places of the area on it, one for each cell.</summary>
     /// <param name="middle">The strip's middle line.</param>
     /// <param name="halfWidthMetres">How far it extends to either side.</param>
-    public (int Places, int Unseen) Count(LaneSegment middle, double halfWidthMetres)
+    /// <param name="maxUnseenFraction">How much of it may be unseen.</param>
+    public bool IsSeen(LaneSegment middle, double halfWidthMetres, double maxUnseenFraction)
     {
+        // In cells, from the corner of the grid.
         PlanePoint along = (1 / middle.Length) * (middle.End - middle.Start);
-        var right = new PlanePoint(-along.East, along.North);
+        double startRow = (middle.Start.North - _south) / CellMetres;
+        double startColumn = (middle.Start.East - _west) / CellMetres;
+        int steps = (int)Math.Ceiling((middle.Length / CellMetres) - 0.5);
+        int sideSteps = (int)Math.Ceiling((2 * halfWidthMetres / CellMetres) - 0.5);
+        double firstSide = 0.5 - (halfWidthMetres / CellMetres);
+        double maxUnseen = maxUnseenFraction * steps * sideSteps;   // more is too much, whatever is of the area
         (int places, int unseen) = (0, 0);
-        for (double at = CellMetres / 2; at < middle.Length; at += CellMetres)
+        for (int step = 0; step < steps && unseen <= maxUnseen; step++)
         {
-            for (double side = -halfWidthMetres + (CellMetres / 2); side < halfWidthMetres; side += CellMetres)
+            double row = startRow + ((step + 0.5) * along.North) - (firstSide * along.East);
+            double column = startColumn + ((step + 0.5) * along.East) + (firstSide * along.North);
+            for (int side = 0; side < sideSteps; side++)
             {
-                int cell = CellAt(middle.Start + (at * along) + (side * right));
+                int cell = CellAt(row - (side * along.East), column + (side * along.North));
                 if (cell < 0 || !_isArea[cell])
                     continue;
                 places++;
@@ -84,7 +91,7 @@ internal sealed class CoverageGrid
             }
         }
 
-        return (places, unseen);
+        return unseen <= maxUnseenFraction * places;
     }
 
     /// <summary>Centres of the cells that have not been seen.</summary>
@@ -178,12 +185,10 @@ internal sealed class CoverageGrid
     }
 
     // Below zero outside the grid.
-    private int CellAt(PlanePoint at)
-    {
-        int row = (int)Math.Floor((at.North - _south) / CellMetres);
-        int column = (int)Math.Floor((at.East - _west) / CellMetres);
-        return row < 0 || row >= _rows || column < 0 || column >= _columns ? -1 : (row * _columns) + column;
-    }
+    private int CellAt(PlanePoint at) => CellAt((at.North - _south) / CellMetres, (at.East - _west) / CellMetres);
+
+    private int CellAt(double row, double column)
+        => row >= 0 && row < _rows && column >= 0 && column < _columns ? ((int)row * _columns) + (int)column : -1;
 
     private PlanePoint CentreOf(int cell)
         => new(_south + (((cell / _columns) + 0.5) * CellMetres), _west + (((cell % _columns) + 0.5) * CellMetres));

@@ -223,7 +223,7 @@ public sealed partial class MissionControlManager : RabitManager, IMissionOperat
             status.Plan = _flight.Plan?.Message;
             status.LanesFlown = _flight.Route?.Flown ?? 0;
             status.LanesSkipped = _flight.Route?.Skipped ?? 0;
-            status.Coverage = _flight.Route?.Coverage.Fraction ?? 0;
+            status.Coverage = _flight.SeenFraction;
             status.Revisits = _flight.Revisits.Completed;
             status.Energy = _flight.Energy.Status;
             status.RevisitsFailed = _flight.Revisits.Failed;

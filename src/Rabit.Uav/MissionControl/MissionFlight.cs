@@ -192,6 +192,14 @@ internal sealed class MissionFlight(
     public double CoverageGoal => Math.Max(Options.CoverageGoal, RequiredCoverage);
 
     /// <summary>
+    /// Fraction of the area that was seen: what we know of, or what another vehicle of the group reports where that is
+    /// more. Vehicles send each other only the parts of lanes that were seen whole, so that each knows a little less
+    /// than was seen.
+    /// </summary>
+    public double SeenFraction
+        => Route is null ? 0 : Math.Max(Route.Coverage.Fraction, Group?.SeenFractionOfOthers ?? 0);
+
+    /// <summary>
     /// Fraction of the area that must have been seen for the mission to be accomplished; 0 without a camera.
     /// </summary>
     public double RequiredCoverage => Options.RequiresCamera ? Mission.RequiredCoverage : 0;

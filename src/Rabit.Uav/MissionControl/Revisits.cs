@@ -189,7 +189,7 @@ internal sealed class Revisits
     /// <param name="place">Where it is.</param>
     public string? WhyNotFollowed(MissionFlight flight, PlanePoint place)
     {
-        bool isSearched = flight.Route?.Current is null && flight.Route?.Coverage.Fraction >= flight.CoverageGoal;
+        bool isSearched = flight.Route is { Current: null } && flight.SeenFraction >= flight.CoverageGoal;
         return isSearched ? null : BudgetOf(flight).FindFault(2 * flight.Position.DistanceTo(place));
     }
 

@@ -18,6 +18,8 @@ public sealed class GroupReportCodecTests : VehicleMessageCodecContract<GroupRep
         Assert.False(Fits(Random(random) with { SpeedMetresPerSecond = double.NaN }));
         Assert.False(Fits(Random(random) with { SpeedMetresPerSecond = 0 }));
         Assert.False(Fits(Random(random) with { MetresLeft = double.NaN }));
+        Assert.False(Fits(Random(random) with { SeenFraction = double.NaN }));
+        Assert.False(Fits(Random(random) with { SeenFraction = 1.01 }));
         Assert.False(Fits(Random(random) with { SearchAltitudeAmslMetres = double.PositiveInfinity }));
         Assert.False(Fits(Random(random) with { State = (GroupMemberState)4 }));
         Assert.False(Fits(Random(random) with { LandingPlace = default }));
@@ -33,6 +35,7 @@ public sealed class GroupReportCodecTests : VehicleMessageCodecContract<GroupRep
         SpeedMetresPerSecond = 0.5 + (random.NextDouble() * 30),
         SearchTime = TimeSpan.FromSeconds(random.Next(70_000)),
         MetresLeft = random.NextDouble() * 80_000,
+        SeenFraction = random.NextDouble(),
         DivisionAuthor = (byte)random.Next(256),
         DivisionNumber = (ushort)random.Next(65536),
     };
@@ -47,6 +50,7 @@ public sealed class GroupReportCodecTests : VehicleMessageCodecContract<GroupRep
         Assert.Equal(expected.SpeedMetresPerSecond, actual.SpeedMetresPerSecond, 0.006);
         Assert.Equal(Math.Min(65535, expected.SearchTime.TotalSeconds), actual.SearchTime.TotalSeconds, 0.6);
         Assert.Equal(Math.Min(65535, expected.MetresLeft), actual.MetresLeft, 0.6);
+        Assert.InRange(actual.SeenFraction, expected.SeenFraction - 2e-5, expected.SeenFraction);
         Assert.Equal(expected.DivisionAuthor, actual.DivisionAuthor);
         Assert.Equal(expected.DivisionNumber, actual.DivisionNumber);
     }

@@ -6,17 +6,18 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Communications;
 
 /// <summary>
-/// Reports of the vehicles of a group: 42 bytes, little-endian, no padding. Stateless; any thread.
+/// Reports of the vehicles of a group: 44 bytes, little-endian, no padding. Stateless; any thread.
 /// </summary>
 /// <remarks>
 /// Key of the lanes (4 bytes), state (1), author of the division (1), its number (2), latitude and longitude (4 + 4,
 /// 1e-7 degrees), altitude (4, cm above mean sea level), the same three of the landing place (12), altitude of the
-/// search (4, cm), speed (2, cm/s), search time (2, s), metres left (2; 65535 for that and more).
+/// search (4, cm), speed (2, cm/s), search time (2, s), metres left (2; 65535 for that and more), how much of
+/// the area was seen (2, 1/65535, rounded down).
 /// </remarks>
 public sealed class GroupReportCodec : IVehicleMessageCodec<GroupReport>
 {
     /// <summary>How many bytes a report has.</summary>
-    public const int Length = 42;
+    public const int Length = 44;
 
     private const double MaxAltitudeMetres = 20_000;
 
@@ -24,7 +25,7 @@ public sealed class GroupReportCodec : IVehicleMessageCodec<GroupReport>
     public int MessageType => 2;
 
     /// <inheritdoc/>
-    public int Version => 1;
+    public int Version => 2;
 
     /// <inheritdoc/>
     public bool TryEncode(in GroupReport content, TimeSpan now, Span<byte> destination, out int length)
@@ -43,6 +44,8 @@ public sealed class GroupReportCodec : IVehicleMessageCodec<GroupReport>
         BinaryPrimitives.WriteUInt16LittleEndian(destination.Slice(36), Limited(content.SpeedMetresPerSecond * 100));
         BinaryPrimitives.WriteUInt16LittleEndian(destination.Slice(38), Limited(content.SearchTime.TotalSeconds));
         BinaryPrimitives.WriteUInt16LittleEndian(destination.Slice(40), Limited(content.MetresLeft));
+        BinaryPrimitives.WriteUInt16LittleEndian(
+            destination.Slice(42), (ushort)Math.Floor(content.SeenFraction * ushort.MaxValue));
         length = Length;
         return true;
     }
@@ -66,6 +69,7 @@ public sealed class GroupReportCodec : IVehicleMessageCodec<GroupReport>
             SpeedMetresPerSecond = BinaryPrimitives.ReadUInt16LittleEndian(bytes.Slice(36)) / 100.0,
             SearchTime = TimeSpan.FromSeconds(BinaryPrimitives.ReadUInt16LittleEndian(bytes.Slice(38))),
             MetresLeft = BinaryPrimitives.ReadUInt16LittleEndian(bytes.Slice(40)),
+            SeenFraction = BinaryPrimitives.ReadUInt16LittleEndian(bytes.Slice(42)) / (double)ushort.MaxValue,
         };
         if (!IsValid(report))
             return false;
@@ -81,7 +85,8 @@ public sealed class GroupReportCodec : IVehicleMessageCodec<GroupReport>
             && Math.Abs(report.SearchAltitudeAmslMetres) <= MaxAltitudeMetres
             && report.SpeedMetresPerSecond is > 0 and <= 100
             && report.SearchTime >= TimeSpan.Zero
-            && report.MetresLeft >= 0;
+            && report.MetresLeft >= 0
+            && report.SeenFraction is >= 0 and <= 1;
 
     private static bool IsPlace(GeodeticPosition place)
         => PlaceBytes.IsInRange(place)

@@ -52,6 +52,11 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
     /// <summary>Null before there is a plan.</summary>
     public SharedLanes? Lanes { get; private set; }
 
+    /// <summary>
+    /// The most of the area that another vehicle reports as seen, 0 to 1; of one that is silent now, too.
+    /// </summary>
+    public double SeenFractionOfOthers => _members.All.Select(m => m.Report.SeenFraction).DefaultIfEmpty(0).Max();
+
     public GroupStatus Status(TimeSpan now) => new()
     {
         Members = _members.All.Select(m => new GroupMember
@@ -237,7 +242,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
     public bool IsSearched(MissionFlight flight)
     {
         NotePlan(flight);
-        return flight.RequiredCoverage > 0 && flight.Route!.Coverage.Fraction >= flight.CoverageGoal
+        return flight.RequiredCoverage > 0 && flight.SeenFraction >= flight.CoverageGoal
             && _validation?.IsPending != true && _following?.IsPending != true;
     }
 
@@ -317,6 +322,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
             SpeedMetresPerSecond = flight.Mission.SpeedMetresPerSecond,
             SearchTime = energy.IsKnown ? energy.TimeToReturn : TimeSpan.FromSeconds(UnlimitedSeconds),
             MetresLeft = _doneSince is null ? flight.Route?.MetresLeft ?? 0 : 0,
+            SeenFraction = flight.Route?.Coverage.Fraction ?? 0,
             DivisionAuthor = _division.Author,
             DivisionNumber = _division.Number,
         };

@@ -76,10 +76,8 @@ internal sealed class SharedLanes
     {
         for (int part = 0; part < Parts && _seen[lane] != AllParts; part++)
         {
-            if ((_seen[lane] & (1 << part)) != 0)
-                continue;
-            (int places, int unseen) = coverage.Count(PartsOf(lane, part, 1), _halfMetres);
-            if (unseen <= MaxUnseenFraction * places)
+            bool isNew = (_seen[lane] & (1 << part)) == 0;
+            if (isNew && coverage.IsSeen(PartsOf(lane, part, 1), _halfMetres, MaxUnseenFraction))
                 SetSeen(lane, part);
         }
     }

@@ -153,7 +153,7 @@ internal sealed class SearchingState : MissionState
             _follower.Begin(flight, lane, flight.Mission.HeightMetres);
         (_isOnLane, _waiting) = (true, null);
         flight.Text =
-            $"searching: lane {MissionNumbers.Of(route.Flown + 1)} of {MissionNumbers.Of(route.Count)}, {Seen(route)}";
+            $"searching: lane {MissionNumbers.Of(route.Flown + 1)} of {MissionNumbers.Of(route.Count)}, {Seen(flight)}";
         bool isFlown = _follower.Tick(flight, out bool isLate);
         route.FlownMetresOfLeg = _follower.FlownMetres;
         if (isLate && flight.IsFixedWing)
@@ -165,19 +165,19 @@ internal sealed class SearchingState : MissionState
         _isOnLane = false;
         _laneEnd = flight.ActiveTime;
         route.FinishLeg();
-        flight.Log($"lane {MissionNumbers.Of(route.Flown)} of {MissionNumbers.Of(route.Count)} flown, {Seen(route)}");
+        flight.Log($"lane {MissionNumbers.Of(route.Flown)} of {MissionNumbers.Of(route.Count)} flown, {Seen(flight)}");
         return MissionStep.Stay;
     }
 
-    private static string Seen(SearchRoute route) => MissionNumbers.Percent(route.Coverage.Fraction) + " seen";
+    private static string Seen(MissionFlight flight) => MissionNumbers.Percent(flight.SeenFraction) + " seen";
 
     private static MissionStep Finish(MissionFlight flight)
     {
         SearchRoute route = flight.Route!;
-        string seen = Seen(route);
-        if (route.Coverage.Fraction >= flight.CoverageGoal)
+        string seen = Seen(flight);
+        if (flight.SeenFraction >= flight.CoverageGoal)
             return new MissionStep(MissionEvent.Searched, seen);
-        if (!flight.Options.RequiresCamera && route.Coverage.Fraction <= 0)
+        if (!flight.Options.RequiresCamera && flight.SeenFraction <= 0)
             return new MissionStep(MissionEvent.Searched, "the lanes are flown; there was no camera");
         if (route.GapPasses >= flight.Options.MaxGapPasses)
             return new MissionStep(MissionEvent.Searched, seen + ", the gaps were flown over");
