@@ -12,11 +12,11 @@ internal sealed class Painting
     // A pixel's light is the mean over so many places in each direction.
     private const int Samples = 8;
 
-    private readonly Random _random;
+    private readonly GaussianNoise _noise;
 
     public Painting(int seed, double noise = 3)
     {
-        _random = new Random(seed);
+        _noise = new GaussianNoise(new Random(seed));
         Noise = noise;
         for (int y = 0; y < Height; y++)
         {
@@ -24,7 +24,7 @@ internal sealed class Painting
             {
                 // Patches of lighter and darker grass, and blades.
                 double patch = (12 * Math.Sin(x * 0.05)) + (10 * Math.Sin((y * 0.07) + (x * 0.02)));
-                double blade = 8 * GroundProjectorTests.Gauss(_random);
+                double blade = 8 * _noise.Next();
                 Set(x, y, 86 + patch + blade, 112 + patch + blade, 56 + (0.6 * (patch + blade)));
             }
         }
@@ -98,7 +98,7 @@ internal sealed class Painting
     public byte[] Finish()
     {
         for (int i = 0; i < Pixels.Length; i++)
-            Pixels[i] = ToByte(Pixels[i] + (Noise * GroundProjectorTests.Gauss(_random)));
+            Pixels[i] = ToByte(Pixels[i] + (Noise * _noise.Next()));
         return Pixels;
     }
 

@@ -14,7 +14,7 @@ public class PictureJudgeTests
     private const int Height = 240;
 
     private readonly PictureJudge _judge = new();
-    private readonly Random _random = new(7);
+    private readonly GaussianNoise _noise = new(new Random(7));
     private double _north;
 
     [Theory]
@@ -152,7 +152,7 @@ public class PictureJudgeTests
         {
             double[] octave = new double[picture.Length];
             for (int i = 0; i < octave.Length; i++)
-                octave[i] = GroundProjectorTests.Gauss(_random) * 5 * ((2 * reach) + 1) / (reach == 0 ? 1.5 : 1);
+                octave[i] = _noise.Next() * 5 * ((2 * reach) + 1) / (reach == 0 ? 1.5 : 1);
             octave = Blur(Blur(octave, reach, 1), reach, Width);
             for (int i = 0; i < octave.Length; i++)
                 picture[i] += octave[i];
@@ -184,7 +184,7 @@ public class PictureJudgeTests
         var pixels = new byte[picture.Length * 3];
         for (int i = 0; i < pixels.Length; i++)
         {
-            double level = picture[i / 3] + (2.5 * GroundProjectorTests.Gauss(_random));
+            double level = picture[i / 3] + (2.5 * _noise.Next());
             pixels[i] = (byte)Math.Max(0, Math.Min(255, Math.Round(level)));
         }
 
