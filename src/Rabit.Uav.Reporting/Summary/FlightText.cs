@@ -13,11 +13,16 @@ namespace Rabit.Uav.Reporting;
 /// </summary>
 public static class FlightText
 {
-    /// <summary>A number; a dash where it is not known.</summary>
+    /// <summary>A number; a dash where it is not known. What is rounded to zero has no sign.</summary>
     /// <param name="value">NaN and infinity are not known.</param>
     /// <param name="format">A format of .NET.</param>
     public static string Number(double value, string format = "0.##")
-        => double.IsNaN(value) || double.IsInfinity(value) ? "–" : value.ToString(format, CultureInfo.InvariantCulture);
+    {
+        if (double.IsNaN(value) || double.IsInfinity(value))
+            return "–";
+        string text = value.ToString(format, CultureInfo.InvariantCulture);
+        return text[0] == '-' && !text.Any(c => c is >= '1' and <= '9') ? text.Substring(1) : text;   // no "-0"
+    }
 
     /// <summary>A whole number.</summary>
     /// <param name="value">The number.</param>

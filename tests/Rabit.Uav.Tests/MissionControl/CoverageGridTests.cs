@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Rabit.Uav.MissionControl;
 using Xunit;
 
@@ -71,7 +72,7 @@ public sealed class CoverageGridTests
 
     private static (int Places, int Unseen) Count(CoverageGrid grid, LaneSegment middle, double halfWidth)
     {
-        var unseen = new HashSet<PlanePoint>(grid.Unseen());
+        var unseen = new HashSet<(double North, double East)>(grid.Unseen().Select(p => (p.North, p.East)));
         PlanePoint along = (1 / middle.Length) * (middle.End - middle.Start);
         var right = new PlanePoint(-along.East, along.North);
         (int places, int missing) = (0, 0);
@@ -83,7 +84,7 @@ public sealed class CoverageGridTests
                 if (place.North is < 0 or >= 100 || place.East is < 0 or >= 80)
                     continue;
                 places++;
-                missing += unseen.Contains(new(Math.Floor(place.North) + 0.5, Math.Floor(place.East) + 0.5)) ? 1 : 0;
+                missing += unseen.Contains((Math.Floor(place.North) + 0.5, Math.Floor(place.East) + 0.5)) ? 1 : 0;
             }
         }
 
