@@ -184,6 +184,7 @@ internal sealed class PanelHalf
         whole.Covariance = PixelCovariance.FromSigma(CentreSigma * side);
         return true;
     }
+
     // The other half; pixels, its centre from that of the form.
     private struct Half
     {
