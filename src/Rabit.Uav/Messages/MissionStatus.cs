@@ -44,7 +44,8 @@ public struct MissionStatus
     public int LanesSkipped { get; set; }
 
     /// <summary>
-    /// Fraction of the area that the camera has seen, 0 to 1; in a group what another vehicle reports where that is more.
+    /// Fraction of the area that the camera has seen, 0 to 1; in a group what another vehicle reports where that is
+    /// more.
     /// </summary>
     public double Coverage { get; set; }
 

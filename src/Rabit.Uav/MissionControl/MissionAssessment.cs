@@ -43,7 +43,9 @@ internal sealed class MissionAssessment
                 hasLanded && isOurLanding && !(distance <= MissionResult.MaxLandingDistanceMetres))
             | If(MissionFailures.OutsideFence, _outsideFenceMetres > 0)
             | If(MissionFailures.TakenOver, flight.IsTakenOver)
-            | If(MissionFailures.AreaNotSeen, hasFlown && flight.Route is not null && flight.SeenFraction < flight.RequiredCoverage);
+            | If(
+                MissionFailures.AreaNotSeen,
+                hasFlown && flight.Route is not null && flight.SeenFraction < flight.RequiredCoverage);
         return new MissionResult
         {
             Outcome = OutcomeOf(phase, failures),
