@@ -30,15 +30,7 @@ public sealed class CombinedTargetDetectorTests
         MinColourShare = 0.65,
     };
 
-    private static readonly TargetClass Person = new("person")
-    {
-        Colour = new ColourRange(205, 28, 32),
-        MinSideMetres = 0.5,
-        MaxSideMetres = 1.3,
-        MinAspect = 1.3,
-        MaxAspect = 4.5,
-        MinColourShare = 0.35,
-    };
+    private static readonly TargetClass Person = PersonIn(new ColourRange(205, 28, 32));
 
     private static readonly TargetClass Signal = new("signal")
     {
@@ -125,15 +117,7 @@ public sealed class CombinedTargetDetectorTests
     [Fact]
     public void Detect_PanelOnGroundOfItsHue_IsThatPanelAndNoPerson()
     {
-        TargetClass person = new("person")
-        {
-            Colour = new ColourRange(243, 214, 28),
-            MinSideMetres = 0.5,
-            MaxSideMetres = 1.3,
-            MinAspect = 1.3,
-            MaxAspect = 4.5,
-            MinColourShare = 0.35,
-        };
+        TargetClass person = PersonIn(new ColourRange(243, 214, 28));
         ImmutableArray<TargetClass> classes = [.. TargetClass.Defaults, person];
         var painting = new Painting(11);
         painting.Rectangle((136, 118, 46), 211, 141, 10, 5, 0);
@@ -151,15 +135,7 @@ public sealed class CombinedTargetDetectorTests
     [InlineData(1.5)]
     public void Detect_HalfOfAPanelOnGroundOfTheOtherHue_IsThatPanelAndNoPerson(double angle)
     {
-        TargetClass person = new("person")
-        {
-            Colour = new ColourRange(28, 72, 205),
-            MinSideMetres = 0.5,
-            MaxSideMetres = 1.3,
-            MinAspect = 1.3,
-            MaxAspect = 4.5,
-            MinColourShare = 0.35,
-        };
+        TargetClass person = PersonIn(new ColourRange(28, 72, 205));
         TargetClass panel = new("blue-yellow")
         {
             Colour = new ColourRange(28, 72, 205),
@@ -238,4 +214,15 @@ public sealed class CombinedTargetDetectorTests
 
     private static string[] ClassesOf(TargetDetection[] found)
         => [.. found.Select(f => f.Class.ToString()).OrderBy(n => n, StringComparer.Ordinal)];
+
+    // By the colour of a jacket.
+    private static TargetClass PersonIn(ColourRange colour) => new("person")
+    {
+        Colour = colour,
+        MinSideMetres = 0.5,
+        MaxSideMetres = 1.3,
+        MinAspect = 1.3,
+        MaxAspect = 4.5,
+        MinColourShare = 0.35,
+    };
 }
