@@ -109,7 +109,6 @@ public sealed class GroupFlightTests
     // It sees its lanes from above on its way to the targets, and parts of others: what it has seen of those is not
     // known to the first one in detail.
     [Fact]
-    [Trait("Category", "Long")]
     public void Flight_LateOneSeesItsShareWhileItValidates_BothKnowThatAllIsSeen()
     {
         using GroupFlight flight = OpenLate(targets: 2);
