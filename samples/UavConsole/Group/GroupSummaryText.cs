@@ -56,7 +56,8 @@ internal static class GroupSummaryText
     private static string Of(in ValidationTask task, GeodeticPosition position)
     {
         string found = $"{At(task.Class, position)}: found by vehicle {FlightText.Number((long)task.Finder)}, ";
-        return found + (task.State == ValidationState.Closed
+        return found + (task.IsRejectedByOperator ? "rejected by the operator"
+            : task.State == ValidationState.Closed
             ? $"by vehicle {FlightText.Number(task.Validator)} {task.Result.ToString().ToLowerInvariant()}"
             : "NOT VALIDATED");
     }

@@ -12,6 +12,8 @@ internal static class FollowText
     /// <param name="followers">System ids of the vehicles that were to follow it, one after the other.</param>
     public static string Of(in FollowTask task, IReadOnlyList<byte> followers)
     {
+        if (task.Result == FollowResult.Rejected)
+            return "no: rejected by the operator";
         if (followers.Count == 0)
             return task.State == FollowState.Closed ? "no: no vehicle could" : "no: none until the end";
         string by = (followers.Count == 1 ? "by vehicle " : "by vehicles ")

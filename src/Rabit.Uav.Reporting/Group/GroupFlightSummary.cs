@@ -41,11 +41,15 @@ public sealed class GroupFlightSummary
             .Select(g => g.OrderByDescending(t => t.IsFinder).ThenByDescending(t => t.Task.State)
                 .ThenByDescending(t => t.Task.Award).First().Task)
             .Where(t => t.State != ValidationState.Closed || t.Validator != 0).ToArray();
-        Validations = announced.Where(t => HasResult(t) || !announced.Any(o => HasResult(o) && AreSame(t, o)))
+        Validations = announced
+            .Where((t, i) => HasResult(t)
+                ? !t.IsRejectedByOperator || !announced.Take(i).Any(o => o.IsRejectedByOperator && AreSame(t, o))
+                : !announced.Any(o => HasResult(o) && AreSame(t, o)))
             .ToArray();
         Followings = Vehicles.SelectMany(v => v.Flight.Record.Group.Followings)
             .GroupBy(t => (t.Finder, t.Session, t.Number))
-            .Select(g => g.OrderByDescending(t => t.Result == FollowResult.Followed)
+            .Select(g => g.OrderByDescending(t => t.Result == FollowResult.Rejected)
+                .ThenByDescending(t => t.Result == FollowResult.Followed)
                 .ThenByDescending(t => t.Decision).ThenByDescending(t => t.InView).First())
             .Where(t => t.Result != FollowResult.SameTarget).ToArray();
         Coverage = Math.Max(
@@ -61,7 +65,7 @@ public sealed class GroupFlightSummary
     /// <summary>
     /// The targets that were to be validated by a second vehicle, as their finders know them, of a finder that was lost
     /// as the others do; without those that were left to the task of another finder, or have no result where the
-    /// task of another finder of the same target has one.
+    /// task of another finder of the same target has one. What the operator rejected is there once.
     /// </summary>
     public IReadOnlyList<ValidationTask> Validations { get; }
 
@@ -158,7 +162,8 @@ public sealed class GroupFlightSummary
     /// <summary>Those of <see cref="Followings"/> that were of a track of <see cref="BestInformed"/>.</summary>
     internal IReadOnlyList<FollowTask> FollowingsOf(TargetTrack track)
     {
-        FollowedTrack[] links = BestInformed.Flight.Record.FollowedTracks.Where(l => l.TrackId == track.Id).ToArray();
+        FollowedTrack[] links = BestInformed.Flight.Record.Group.FollowedTracks
+            .Where(l => l.TrackId == track.Id).ToArray();
         return Followings.Where(t => Array.Exists(
             links, l => (l.Finder, l.Session, l.Number) == (t.Finder, t.Session, t.Number))).ToArray();
     }

@@ -92,7 +92,7 @@ internal sealed class GroupTables(PageWriter page, GroupFlightSummary data)
         FlightText.Number(mission?.BatteryUsedPercent ?? double.NaN, "0") + " %",
         FlightText.Number((long)data.Validations.Count(t => t.Finder == vehicle.SystemId)),
         FlightText.Number((long)data.Validations.Count(
-            t => t.Validator == vehicle.SystemId && t.State == ValidationState.Closed)),
+            t => t.Validator == vehicle.SystemId && t.State == ValidationState.Closed && !t.IsRejectedByOperator)),
         FlightText.Number(vehicle.Radio?.KilobitsPerSecond ?? double.NaN, "0.00"),
         FlightText.Number((vehicle.Radio?.LossFraction ?? double.NaN) * 100, "0.0") + " %",
     ];

@@ -18,12 +18,13 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
 
     public void Write()
     {
-        TargetTrack[] shown = _tracks.Tracks.Where(t => t.State != TrackState.Tentative).OrderBy(t => t.Id).ToArray();
+        TargetTrack[] shown = ShownTracks();
         if (shown.Length == 0 && data.Score is null)
             return;
         page.Open("section").Element("h2", "Targets, and who validated them").Element(
             "p", $"As {GroupColours.Name(data.BestInformed.SystemId)} knows them, with its numbers; the pictures are "
-                + "those of each vehicle's own camera. Times are minutes and seconds since the start of the run.",
+                + "those of each vehicle's own camera. One that moves has a new number each time it comes into view. "
+                + "Times are minutes and seconds since the start of the run.",
             "class", "note");
         page.Open("div", "class", "cards");
         foreach (TargetTrack track in shown)
@@ -34,6 +35,30 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
         WriteOtherFollowings(shown);
         page.Close();
     }
+
+    // One that moves has a track for each time it came into view: there is one card for it, of the track that is the
+    // true target where that is known, else of the newest one that is confirmed. What is false has its own.
+    private TargetTrack[] ShownTracks()
+    {
+        var shown = new List<TargetTrack>();
+        foreach (TargetTrack track in _tracks.Tracks.Where(t => t.State != TrackState.Tentative)
+            .OrderByDescending(IsScored).ThenByDescending(t => t.State == TrackState.Confirmed)
+            .ThenByDescending(t => t.LastSeen))
+        {
+            if (IsScored(track) || !shown.Exists(s => AreOneTarget(s, track)))
+                shown.Add(track);
+        }
+
+        return shown.OrderBy(t => t.Id).ToArray();
+    }
+
+    private bool IsScored(TargetTrack track)
+        => data.Score?.Targets.Any(s => s.Track == track) == true || IsFalse(track);
+
+    private bool IsFalse(TargetTrack track) => data.Score?.FalseTracks.Contains(track) == true;
+
+    private bool AreOneTarget(TargetTrack a, TargetTrack b)
+        => !IsFalse(a) && data.FollowingsOf(a).Intersect(data.FollowingsOf(b)).Any();
 
     // Of those that only another vehicle has as a track.
     private void WriteOtherFollowings(TargetTrack[] shown)
@@ -55,9 +80,8 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
     private void WriteTarget(TargetTrack track)
     {
         TargetScore? target = data.Score?.Targets.FirstOrDefault(s => s.Track == track);
-        bool isFalse = data.Score?.FalseTracks.Contains(track) == true;
         ValidationTask? task = data.ValidationOf(track);
-        (string state, string kind) = isFalse ? ("false", "false") : StateOf(task, track);
+        (string state, string kind) = IsFalse(track) ? ("false", "false") : StateOf(task, track);
         page.OpenTargetCard(kind, FlightText.Number((long)track.Id), track.Class, state);
         WritePictures(track, task);
         page.Open("dl");
@@ -74,10 +98,17 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
             "95 % ellipse",
             $"{FlightText.Number(track.Covariance.HalfMajorAxis95Metres, "0.0")} × "
                 + $"{FlightText.Number(track.Covariance.HalfMinorAxis95Metres, "0.0")} m");
-        TimeSpan offset = data.BestInformed.ClockOffset;
-        page.Fact(
-            "seen", $"{FlightText.Clock(offset + track.FirstSeen)} to {FlightText.Clock(offset + track.LastSeen)}");
+        page.Fact("seen", TimesOf(track));
+        foreach (TargetTrack other in _tracks.Tracks.Where(
+            t => t != track && t.State != TrackState.Tentative && !IsScored(t) && AreOneTarget(track, t)))
+            page.Fact($"as track {FlightText.Number((long)other.Id)}", TimesOf(other));
         page.Close().Close();
+    }
+
+    private string TimesOf(TargetTrack track)
+    {
+        TimeSpan offset = data.BestInformed.ClockOffset;
+        return $"{FlightText.Clock(offset + track.FirstSeen)} to {FlightText.Clock(offset + track.LastSeen)}";
     }
 
     private void WriteMissed(TargetScore target)
@@ -105,7 +136,8 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
         }
 
         page.Fact("found by", GroupColours.Name(task.Finder));
-        page.Fact("validated by", task.State == ValidationState.Closed
+        page.Fact("validated by", task.IsRejectedByOperator ? "none: rejected by the operator"
+            : task.State == ValidationState.Closed
             ? $"{GroupColours.Name(task.Validator)}: {task.Result.ToString().ToLowerInvariant()}"
             : task.Validator == 0 ? "none: no vehicle could" : GroupColours.Name(task.Validator) + ": not finished");
     }
@@ -115,6 +147,7 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
     {
         { State: ValidationState.Closed, Result: ValidationResult.Confirmed } => ("validated", "found"),
         { State: ValidationState.Closed, Result: ValidationResult.Rejected } => ("rejected", "false"),
+        null when track.State == TrackState.Rejected => ("rejected", "false"),
         null when data.FollowingsOf(track).Any(t => t.InView > TimeSpan.Zero || t.Result == FollowResult.Followed)
             => ("followed", "found"),
         null => (track.State == TrackState.Confirmed ? "found" : track.State.ToString().ToLowerInvariant(), "found"),

@@ -85,11 +85,6 @@ public sealed class FlightRecord
     /// <summary>What it did for its group, at each change, oldest first; none where it is in no group.</summary>
     public IReadOnlyList<GroupRole> GroupRoles { get; init; } = [];
 
-    /// <summary>
-    /// Which of its tracks are targets that its group followed. A target may have several, one after the other.
-    /// </summary>
-    public IReadOnlyList<FollowedTrack> FollowedTracks { get; init; } = [];
-
     /// <summary>Length of the path that was flown, metres: speed over ground and climb, integrated over time.</summary>
     public double FlownMetres { get; init; }
 

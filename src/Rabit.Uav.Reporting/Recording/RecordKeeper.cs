@@ -43,7 +43,6 @@ internal sealed class RecordKeeper(
     private CommandAuthority _authority;
     private readonly GroupRoles _group = new();
     private readonly MovingTrackMemory _moving = new();
-    private readonly FollowedTracks _followed = new();
     private TrackList _tracks = TrackList.None;
     private TimeSpan? _last;
     private double _flownMetres;
@@ -73,7 +72,6 @@ internal sealed class RecordKeeper(
             (_imaging, _authority, _tracks) = (imaging, authority, _moving.Take(tracks));
             _pictures.Take(tracks);
             _group.Take(now, vehicle.SystemId, group);
-            _followed.Take(tracks, group);
             _samples.Add(Sample(now));
         }
     }
@@ -119,7 +117,6 @@ internal sealed class RecordKeeper(
                 Tracks = _tracks,
                 Group = _group.Latest,
                 GroupRoles = _group.ToArray(),
-                FollowedTracks = _followed.ToArray(),
                 Pictures = _pictures.ToArray(),
                 Overviews = _pictures.OverviewsToArray(),
                 FlownMetres = _flownMetres,

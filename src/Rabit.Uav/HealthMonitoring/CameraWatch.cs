@@ -32,7 +32,7 @@ internal sealed class CameraWatch(MessageSubscriber<ImagingStatus> status)
     {
         status.Fetch();
         ref readonly ImagingStatus value = ref status.Value;
-        _searchSince = value.Mode == ImagingMode.Search ? _searchSince ?? now : null;
+        _searchSince = value.Mode != ImagingMode.Off ? _searchSince ?? now : null;
         _stuckAt = isProcessingStuck ? now : _stuckAt;
         TimeSpan since = _searchSince ?? now;
         if (value.LastFrameTime is { } last && last > since)
@@ -48,7 +48,7 @@ internal sealed class CameraWatch(MessageSubscriber<ImagingStatus> status)
 
     private void CountUnusable(in ImagingStatus imaging, TimeSpan elapsed, HealthOptions options)
     {
-        if (imaging.UsableShare is not { } share)
+        if (imaging.UsableShare is not { } share || imaging.Mode == ImagingMode.Follow)
             return;
         if (share <= options.PicturesUsableFraction)
         {

@@ -14,7 +14,7 @@ internal static partial class HealthRules
         new(HealthReasons.CameraSilent, HealthLevel.Warning, HealthAdvice.ReturnToLaunch)
         {
             When = static (in CameraFacts c, HealthOptions o) => c.Status.HasCamera
-                && c.Status.Mode == ImagingMode.Search && c.QuietFor > o.CameraSilentAfter,
+                && c.Status.Mode != ImagingMode.Off && c.QuietFor > o.CameraSilentAfter,
             Figure = static (in CameraFacts c) => c.Status.LastFrameTime?.Ticks ?? -1,
             Text = static f => f.Figure < 0
                 ? (FormattableString)$"the camera has delivered no picture yet"
@@ -26,9 +26,9 @@ internal static partial class HealthRules
         },
         new(HealthReasons.PicturesUnusable, HealthLevel.Warning, HealthAdvice.Hold)
         {
-            When = static (in CameraFacts c, HealthOptions o) => c.Status.UsableShare <= o.PicturesUsableFraction,
-            Until = static (in CameraFacts c, HealthOptions o)
-                => !(c.Status.UsableShare < o.PicturesUsableFraction + PicturesUsableMargin),
+            When = static (in CameraFacts c, HealthOptions o) => IsUnusable(c, o),
+            Until = static (in CameraFacts c, HealthOptions o) => c.Status.Mode == ImagingMode.Follow
+                || !(c.Status.UsableShare < o.PicturesUsableFraction + PicturesUsableMargin),
             Dwell = static o => o.PicturesUnusableAfter,
             ClearDwell = static o => o.PicturesUnusableAfter,
             Figure = static (in CameraFacts c) => c.UnusableFigure,
@@ -39,16 +39,17 @@ internal static partial class HealthRules
                     + "defocused, motion-blurred, too coarse, with repeated numbers, without pose, not of the ground, "
                     + "not searched",
             End = static o => $"{PercentText(o.PicturesUsableFraction + PicturesUsableMargin)} or more for "
-                + $"{Seconds(o.PicturesUnusableAfter)}, or the search is over",
+                + $"{Seconds(o.PicturesUnusableAfter)}, or the search is over, or a target is followed",
             Why = "a search whose pictures cannot be used finds nothing. A few bad ones, which gaps are flown over for,"
                 + " are no fault of the camera: with the window of 1.5 s of the share this is found within 3 s at 2 Hz."
-                + " What passes by itself, a cloud of dust or a driver that starts again, is waited for",
+                + " What passes by itself, a cloud of dust or a driver that starts again, is waited for. A target that"
+                + " is followed would be gone meanwhile: it is lost without usable pictures, and the search goes on",
         },
         new(HealthReasons.PicturesUnusable, HealthLevel.Warning, HealthAdvice.ReturnToLaunch)
         {
             Supersedes = HealthReasons.PicturesUnusable,
-            When = static (in CameraFacts c, HealthOptions o) => c.UnusableFor >= o.PicturesUnusableReturnAfter
-                && c.Status.UsableShare <= o.PicturesUsableFraction,
+            When = static (in CameraFacts c, HealthOptions o)
+                => c.UnusableFor >= o.PicturesUnusableReturnAfter && IsUnusable(c, o),
             Figure = static (in CameraFacts c) => c.UnusableFigure,
             Condition = static o => $"that holds for {Seconds(o.PicturesUnusableReturnAfter)} in all, without 30 s of "
                 + "usable pictures in between",
@@ -65,6 +66,9 @@ internal static partial class HealthRules
             Why = "one picture more or less decides nothing",
         },
     ];
+
+    private static bool IsUnusable(in CameraFacts c, HealthOptions o)
+        => c.Status.Mode != ImagingMode.Follow && c.Status.UsableShare <= o.PicturesUsableFraction;
 
     private static string CauseOf(long figure)
         => PictureQualityText.Of((PictureQuality)(figure / CameraFacts.CauseUnit));

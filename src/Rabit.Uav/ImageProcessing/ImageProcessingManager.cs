@@ -144,7 +144,7 @@ public sealed partial class ImageProcessingManager : RabitManager
         _source?.LogTo(null);
     }
 
-    private bool IsSearching => _command.Value.Mode == ImagingMode.Search;
+    private bool IsSearching => _command.Value.Mode != ImagingMode.Off;
 
     // The landing marker is looked for in any mode: vehicles also land without a mission.
     private bool UsesPictures => IsSearching || _landingMarker is not null;

@@ -54,6 +54,7 @@ internal sealed class PictureOverviewBuffer(int capacity, int maxWidth)
     private sealed class Kept(int width, int height)
     {
         private readonly byte[] _pixels = new byte[width * height * 3];
+        private readonly int[] _sums = new int[width * 3]; // of one row
         private ImmutableArray<TargetReport> _reports = [];
         private int _pictureWidth;
         private int _pictureHeight;
@@ -73,12 +74,11 @@ internal sealed class PictureOverviewBuffer(int capacity, int maxWidth)
             int to = 0;
             for (int row = 0; row < height; row++)
             {
-                for (int column = 0; column < width; column++)
-                {
-                    int from = ((row * scale * pictureWidth) + (column * scale)) * 3;
-                    for (int channel = 0; channel < 3; channel++)
-                        _pixels[to++] = MeanOf(picture, from + channel, pictureWidth * 3, scale);
-                }
+                Array.Clear(_sums, 0, _sums.Length);
+                for (int line = row * scale; line < (row + 1) * scale; line++)
+                    AddLine(picture.AsSpan(line * pictureWidth * 3, _sums.Length * scale), scale);
+                foreach (int sum in _sums)
+                    _pixels[to++] = (byte)(sum / (scale * scale));
             }
         }
 
@@ -108,16 +108,23 @@ internal sealed class PictureOverviewBuffer(int capacity, int maxWidth)
             return new PictureOverview(Number, width, height, (byte[])_pixels.Clone(), boxes);
         }
 
-        private static byte MeanOf(byte[] picture, int first, int stride, int scale)
+        private void AddLine(ReadOnlySpan<byte> line, int scale)
         {
-            int sum = 0;
-            for (int row = 0; row < scale; row++)
+            int from = 0;
+            for (int to = 0; to < _sums.Length; to += 3)
             {
-                for (int column = 0; column < scale; column++)
-                    sum += picture[first + (row * stride) + (column * 3)];
-            }
+                (int red, int green, int blue) = (0, 0, 0);
+                for (int i = 0; i < scale; i++, from += 3)
+                {
+                    red += line[from];
+                    green += line[from + 1];
+                    blue += line[from + 2];
+                }
 
-            return (byte)(sum / (scale * scale));
+                _sums[to] += red;
+                _sums[to + 1] += green;
+                _sums[to + 2] += blue;
+            }
         }
 
         private int FirstOf(int index, int pictureWidth, int scale)

@@ -14,4 +14,7 @@ public enum FollowResult
 
     /// <summary>It is the target of another task, which goes on.</summary>
     SameTarget,
+
+    /// <summary>The operator of a vehicle has rejected it.</summary>
+    Rejected,
 }

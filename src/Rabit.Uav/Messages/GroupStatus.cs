@@ -11,6 +11,7 @@ public struct GroupStatus
     private ImmutableArray<GroupMember> _members;
     private ImmutableArray<ValidationTask> _validations;
     private ImmutableArray<FollowTask> _followings;
+    private ImmutableArray<FollowedTrack> _followedTracks;
 
     /// <summary>The others, in the order of their system ids; also those that are received no more.</summary>
     public ImmutableArray<GroupMember> Members
@@ -36,6 +37,16 @@ public struct GroupStatus
     {
         readonly get => _followings.IsDefault ? [] : _followings;
         set => _followings = value;
+    }
+
+    /// <summary>
+    /// Which of our tracks are which of <see cref="Followings"/>, in the order of the tracks; also those that are there
+    /// no more.
+    /// </summary>
+    public ImmutableArray<FollowedTrack> FollowedTracks
+    {
+        readonly get => _followedTracks.IsDefault ? [] : _followedTracks;
+        set => _followedTracks = value;
     }
 
     /// <summary>MAVLink system id of the vehicle that divided the lanes; 0 for none yet.</summary>

@@ -9,6 +9,9 @@ public enum ValidationResult
     /// <summary>It was seen there again.</summary>
     Confirmed,
 
-    /// <summary>The place was seen, and no such target.</summary>
+    /// <summary>
+    /// The place was seen, and no such target; or the operator has rejected it
+    /// (<see cref="ValidationTask.IsRejectedByOperator"/>).
+    /// </summary>
     Rejected,
 }

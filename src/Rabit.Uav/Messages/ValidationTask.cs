@@ -35,9 +35,16 @@ public struct ValidationTask
     /// <summary>Grows with each award; 0 before the first.</summary>
     public ushort Award { get; set; }
 
-    /// <summary>MAVLink system id of the vehicle that was awarded last; 0 for none.</summary>
+    /// <summary>
+    /// MAVLink system id of the vehicle that was awarded last; 0 for none; the finder's own where its operator has
+    /// rejected the target.
+    /// </summary>
     public byte Validator { get; set; }
 
     /// <summary>The result, once it is closed.</summary>
     public ValidationResult Result { get; set; }
+
+    /// <summary>Whether the operator of its finder has rejected the target: no vehicle has to fly there.</summary>
+    public readonly bool IsRejectedByOperator
+        => State == ValidationState.Closed && Result == ValidationResult.Rejected && Finder != 0 && Validator == Finder;
 }

@@ -195,6 +195,7 @@ public sealed partial class MissionControlManager : RabitManager, IMissionOperat
         ref ImagingCommand command = ref _imagingCommand.Value;
         ImagingMode mode = machine.Phase switch
         {
+            MissionPhase.Revisiting when flight.IsFollowing => ImagingMode.Follow,
             MissionPhase.Searching or MissionPhase.Revisiting => ImagingMode.Search,
             MissionPhase.Holding when flight.IsHeldByHealth => command.Mode,
             _ => ImagingMode.Off,

@@ -94,6 +94,9 @@ internal sealed partial class MissionFlight(
     /// <summary>Whether it holds until a reason of Health Monitoring ends.</summary>
     public bool IsHeldByHealth { get; set; }
 
+    /// <summary>Whether a target is followed.</summary>
+    public bool IsFollowing { get; set; }
+
     public PreflightReport Preflight { get; set; } = PreflightReport.None;
 
     public TrackList Tracks { get; set; } = TrackList.None;

@@ -85,6 +85,9 @@ internal sealed class TargetFollower
     /// <summary>How long the target was in view.</summary>
     public TimeSpan InView { get; private set; }
 
+    /// <summary>Whether it is over since the operator has rejected the target.</summary>
+    public bool IsRejected { get; private set; }
+
     /// <summary>What is done now.</summary>
     public FollowProgress Progress { get; private set; }
 
@@ -113,7 +116,8 @@ internal sealed class TargetFollower
 
         Go(flight, isInView);
         Look(flight, step.TotalSeconds);
-        return InView >= flight.Mission.Revisit.FollowTime || track?.State == TrackState.Rejected
+        IsRejected = track?.State == TrackState.Rejected;
+        return InView >= flight.Mission.Revisit.FollowTime || IsRejected
             || flight.ActiveTime - (_lastInView ?? (_begun + _wayThere)) > _target.MaxSearch;
     }
 

@@ -106,8 +106,11 @@ public sealed class GroupHtmlReportTests
         var record = new FlightRecord
         {
             Tracks = new TrackList(TimeSpan.Zero, [track]),
-            Group = new GroupStatus { Followings = [task] },
-            FollowedTracks = wasFollowed ? [new FollowedTrack(1, 0, 0, track.Id)] : [],
+            Group = new GroupStatus
+            {
+                Followings = [task],
+                FollowedTracks = wasFollowed ? [new FollowedTrack(1, 0, 0, track.Id)] : [],
+            },
         };
 
         XDocument page = Page(new GroupFlightSummary([new GroupVehicleSummary(1, new FlightSummary(record))]));
@@ -147,8 +150,11 @@ public sealed class GroupHtmlReportTests
         var record = new FlightRecord
         {
             Tracks = new TrackList(TimeSpan.Zero, tracks),
-            Group = new GroupStatus { Followings = [followed, lost] },
-            FollowedTracks = [new FollowedTrack(1, 0, 1, 1), new FollowedTrack(1, 0, 2, 2)],
+            Group = new GroupStatus
+            {
+                Followings = [followed, lost],
+                FollowedTracks = [new FollowedTrack(1, 0, 1, 1), new FollowedTrack(1, 0, 2, 2)],
+            },
         };
 
         XDocument page = Page(new GroupFlightSummary([new GroupVehicleSummary(1, new FlightSummary(record))]));
@@ -159,6 +165,52 @@ public sealed class GroupHtmlReportTests
                 .Select(t => ((XElement)t.NextNode!).Value));
         Assert.Equal(
             ["followed", "lost"], page.Descendants(Html + "b").Where(b => ClassOf(b) == "state").Select(b => b.Value));
+    }
+
+    [Fact]
+    public void Write_TargetThatMovesCameIntoViewAgain_HasOneCardOfItsNewestTrack()
+    {
+        TargetTrack[] tracks =
+        [
+            .. new[] { 4, 6 }.Select(id => new TargetTrack
+            {
+                Id = id,
+                State = id == 6 ? TrackState.Confirmed : TrackState.Lost,
+                Class = DefaultTargetClasses.Red,
+                Motion = TargetMotion.Walking,
+                Position = GeodeticPosition.FromDegrees(47, 8 + (id / 1000.0), 0),
+                FirstSeen = TimeSpan.FromSeconds(10 * id),
+                LastSeen = TimeSpan.FromSeconds((10 * id) + 5),
+            }),
+        ];
+        var task = new FollowTask
+        {
+            Finder = 1,
+            Number = 1,
+            Class = tracks[0].Class,
+            Follower = 2,
+            State = FollowState.Closed,
+            Result = FollowResult.Followed,
+            InView = TimeSpan.FromSeconds(20),
+        };
+        var record = new FlightRecord
+        {
+            Tracks = new TrackList(TimeSpan.Zero, tracks),
+            Group = new GroupStatus
+            {
+                Followings = [task],
+                FollowedTracks = [new FollowedTrack(1, 0, 1, 4), new FollowedTrack(1, 0, 1, 6)],
+            },
+        };
+        var group = new GroupFlightSummary([new GroupVehicleSummary(1, new FlightSummary(record))]);
+
+        XDocument page = Page(group);
+
+        Assert.Equal(
+            ["followed"], page.Descendants(Html + "b").Where(b => ClassOf(b) == "state").Select(b => b.Value));
+        XElement earlier = Assert.Single(page.Descendants(Html + "dt"), t => t.Value == "as track 4");
+        Assert.Equal("0:40 to 0:45", ((XElement)earlier.NextNode!).Value);
+        Assert.Empty(group.NotFollowed);
     }
 
     [Fact]

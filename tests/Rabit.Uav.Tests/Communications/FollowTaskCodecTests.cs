@@ -41,7 +41,7 @@ public sealed class FollowTaskCodecTests : VehicleMessageCodecContract<FollowTas
             State = state,
             Follower = (byte)random.Next(1, 256),
             Progress = (FollowProgress)random.Next(3),
-            Result = state == FollowState.Closed ? (FollowResult)random.Next(1, 4) : FollowResult.None,
+            Result = state == FollowState.Closed ? (FollowResult)random.Next(1, 5) : FollowResult.None,
             Class = DefaultTargetClasses.Red,
             MarkerId = random.Next(2) == 0 ? null : random.Next(65535),
             Position = GeodeticPosition.FromDegrees(

@@ -145,6 +145,40 @@ public class AdviceTests
         Assert.Equal(HealthReasons.None, rig.Report.Reasons);
     }
 
+    [Fact]
+    public void Pictures_UnusableWhileATargetIsFollowed_AreNoReasonToHold()
+    {
+        using var rig = new HealthRig();
+        rig.PostMission(MissionPhase.Revisiting);
+        FlyWithBlur(rig, ImagingMode.Follow, 60);
+        Assert.Equal((HealthReasons.None, HealthAdvice.None), (rig.Report.Reasons, rig.Report.Advice));
+        FlyWithBlur(rig, ImagingMode.Search, 5);
+        Assert.Equal(
+            (HealthReasons.PicturesUnusable, HealthAdvice.Hold), (rig.Report.Reasons, rig.Report.Advice));
+        FlyWithBlur(rig, ImagingMode.Follow, 5);
+        Assert.Equal((HealthReasons.None, HealthAdvice.None), (rig.Report.Reasons, rig.Report.Advice));
+    }
+
+    [Fact]
+    public void Camera_SilentWhileATargetIsFollowed_IsReturnToLaunch()
+    {
+        using var rig = new HealthRig();
+        rig.PostMission(MissionPhase.Revisiting);
+        rig.PostImaging(ImagingMode.Follow, lastFrame: TimeSpan.FromSeconds(1));
+        rig.Fly(10);
+        Assert.Equal(
+            (HealthReasons.CameraSilent, HealthAdvice.ReturnToLaunch), (rig.Report.Reasons, rig.Report.Advice));
+    }
+
+    private static void FlyWithBlur(HealthRig rig, ImagingMode mode, int seconds)
+    {
+        for (int i = 0; i < seconds; i++)
+        {
+            rig.PostImaging(mode, rig.Reactor.Now, usableShare: 0.1);
+            rig.Fly(1);
+        }
+    }
+
     [Theory]
     [InlineData(ImagingMode.Off, true)]
     [InlineData(ImagingMode.Search, false)]

@@ -143,7 +143,9 @@ internal sealed class HealthRig : IDisposable
         _mission.Post();
     }
 
-    public void PostImaging(ImagingMode mode, TimeSpan? lastFrame, bool hasCamera = true, long detectorFailures = 0)
+    public void PostImaging(
+        ImagingMode mode, TimeSpan? lastFrame, bool hasCamera = true, long detectorFailures = 0,
+        double? usableShare = null)
     {
         _imaging.Value = new ImagingStatus
         {
@@ -151,6 +153,9 @@ internal sealed class HealthRig : IDisposable
             Mode = mode,
             LastFrameTime = lastFrame,
             DetectorFailures = detectorFailures,
+            UsableShare = usableShare,
+            UnusableCause = PictureQuality.MotionBlurred,
+            UnusableCauseShare = 1,
         };
         _imaging.Post();
     }

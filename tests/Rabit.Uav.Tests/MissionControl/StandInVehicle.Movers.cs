@@ -66,7 +66,8 @@ internal sealed partial class StandInVehicle
         return new TargetTrack
         {
             Id = id,
-            State = reports >= 3 ? TrackState.Confirmed : TrackState.Tentative,
+            State = StateOf(id, reports),
+            Decision = DecisionOf(id),
             Class = DefaultTargetClasses.Red,
             Motion = MoverMotion,
             Position = PlaceOf((n, e)),

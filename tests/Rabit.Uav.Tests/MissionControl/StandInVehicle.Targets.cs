@@ -18,7 +18,7 @@ internal sealed partial class StandInVehicle
         _hasReported = false;
         _imagingCommand.Fetch();
         Imaging = _imagingCommand.Value;
-        if (!CameraSees || _imagingCommand.Value.Mode != ImagingMode.Search || Now < _nextPicture)
+        if (!CameraSees || _imagingCommand.Value.Mode == ImagingMode.Off || Now < _nextPicture)
             return;
         _nextPicture = Now + TimeSpan.FromSeconds(0.5);
         var observation = new CameraObservation
@@ -98,7 +98,7 @@ internal sealed partial class StandInVehicle
         {
             Id = id,
             State = state ?? StateOf(id, reports),
-            Decision = Decisions.TryGetValue(id, out TargetDecision decision) ? decision : TargetDecision.None,
+            Decision = DecisionOf(id),
             Class = colour,
             Position = _frame.ToGeodetic(new NedPosition(n, e, 0)),
             Covariance = new HorizontalCovariance(1, 0, 1),
@@ -115,12 +115,18 @@ internal sealed partial class StandInVehicle
         for (int i = 0; i < Tracks.Count; i++)
         {
             NedPosition at = _frame.ToNed(Tracks[i].Position);
-            if (Tracks[i].Id == decision.TrackId)
-                Tracks[i] = MakeTrack(Tracks[i].Id, at.North, at.East, Tracks[i].Class, Tracks[i].Reports);
+            if (Tracks[i].Id != decision.TrackId)
+                continue;
+            Tracks[i] = decision.TrackId >= FirstMoverTrack
+                ? MoverTrack(decision.TrackId - FirstMoverTrack, decision.TrackId, Tracks[i].Reports)
+                : MakeTrack(Tracks[i].Id, at.North, at.East, Tracks[i].Class, Tracks[i].Reports);
         }
 
         PostTracks();
     }
+
+    private TargetDecision DecisionOf(int id)
+        => Decisions.TryGetValue(id, out TargetDecision decision) ? decision : TargetDecision.None;
 
     private TrackState StateOf(int id, int reports)
         => !Decisions.TryGetValue(id, out TargetDecision decision)

@@ -11,7 +11,7 @@ namespace Rabit.Uav.Communications;
 /// </summary>
 /// <remarks>
 /// Finder (1 byte), session (2), number (2), decision (2), decider (1), follower (1), state (2 bits), progress (2
-/// bits) and result (2 bits) in one byte from the lowest bit on, length of the class name (1), latitude and longitude
+/// bits) and result (4 bits) in one byte from the lowest bit on, length of the class name (1), latitude and longitude
 /// (4 + 4, 1e-7 degrees), velocity north and east (2 + 2, cm/s), radius (2, cm), age of the position (3, ms), time in
 /// view (2, s), id of the marker (2, 65535 for none), class name. The age is that at the moment of sending.
 /// </remarks>
@@ -120,7 +120,7 @@ public sealed class FollowTaskCodec : IVehicleMessageCodec<FollowTask>
     private static bool IsValid(in FollowTask task)
         => task.State is >= FollowState.Open and <= FollowState.Closed
             && task.Progress is >= FollowProgress.OnTheWay and <= FollowProgress.Searching
-            && task.Result is >= FollowResult.None and <= FollowResult.SameTarget
+            && task.Result is >= FollowResult.None and <= FollowResult.Rejected
             && (task.State != FollowState.Awarded || task.Follower != 0)
             && task.State == FollowState.Closed == (task.Result != FollowResult.None)
             && task.Finder != 0 && task.Decider != 0 && task.Decision != 0

@@ -54,12 +54,11 @@ internal sealed class FollowEntry(FollowTask task)
         : _task.Decider == systemId;
 
     /// <summary>
-    /// Above zero where a state is newer than what is known, below where it is older. That it was followed for as long
-    /// as the mission says is newer than all else.
+    /// Above zero where a state is newer than what is known, below where it is older. That the operator has rejected it
+    /// is newer than all else, and that it was followed for as long as the mission says newer than the rest.
     /// </summary>
     public int Compare(in FollowTask other)
-        => other.Result == FollowResult.Followed || _task.Result == FollowResult.Followed
-            ? (other.Result == FollowResult.Followed).CompareTo(_task.Result == FollowResult.Followed)
+        => Rank(other.Result) + Rank(_task.Result) > 0 ? Rank(other.Result).CompareTo(Rank(_task.Result))
             : other.Decision != _task.Decision ? other.Decision.CompareTo(_task.Decision)
             : _task.Decider.CompareTo(other.Decider);
 
@@ -105,6 +104,9 @@ internal sealed class FollowEntry(FollowTask task)
         else
             HasFollowerSpoken |= isOfFollower;
     }
+
+    private static int Rank(FollowResult result)
+        => result == FollowResult.Rejected ? 2 : result == FollowResult.Followed ? 1 : 0;
 
     private void BeginDecision(TimeSpan now, bool hasFollowerSpoken)
     {

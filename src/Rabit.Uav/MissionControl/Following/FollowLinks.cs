@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Collections.Immutable;
 using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
@@ -27,11 +28,19 @@ internal sealed class FollowLinks(FollowBook book)
 
     private static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(3);
 
+    // Another target of the class may be where one that was rejected has gone meanwhile.
+    private static readonly TimeSpan MaxRejectedAge = TimeSpan.FromSeconds(10);
+
     // Two targets that pass each other are not one.
     private static readonly TimeSpan SameTime = TimeSpan.FromSeconds(3);
 
     private readonly Dictionary<int, FollowEntry> _links = [];
     private readonly Dictionary<TargetClassName, TargetMotion> _motions = [];
+
+    /// <summary>All that were linked, in the order of the tracks.</summary>
+    public ImmutableArray<FollowedTrack> Tracks => _links.OrderBy(l => l.Key)
+        .Select(l => new FollowedTrack(l.Value.Task.Finder, l.Value.Task.Session, l.Value.Task.Number, l.Key))
+        .ToImmutableArray();
 
     /// <summary>How targets of a class move; null before one was seen.</summary>
     public TargetMotion? MotionOf(TargetClassName name)
@@ -50,8 +59,11 @@ internal sealed class FollowLinks(FollowBook book)
     {
         foreach (TargetTrack track in flight.Tracks.Tracks)
         {
-            if (track.State != TrackState.Confirmed || track.Motion == TargetMotion.Standing
-                || !flight.Mission.IsTarget(track.Class))
+            if (track.Motion == TargetMotion.Standing || !flight.Mission.IsTarget(track.Class))
+                continue;
+            if (track.Decision == TargetDecision.Rejected)
+                EndRejected(track, own, flight.Now);
+            if (track.State != TrackState.Confirmed)
                 continue;
             _motions[track.Class] = track.Motion;
             FollowEntry? entry = Link(flight, track);
@@ -60,6 +72,8 @@ internal sealed class FollowLinks(FollowBook book)
             if (entry is null)
                 continue;
             _links[track.Id] = entry;
+            if (entry.Task.Result == FollowResult.Rejected)
+                flight.OperatorActions.RejectToo(flight, track);
             Refresh(entry, track);
         }
 
@@ -78,8 +92,8 @@ internal sealed class FollowLinks(FollowBook book)
         PlanePoint place = FollowMark.Of(track, flight).PlaceAt(flight.Now, MaxAge.TotalSeconds);
         if (_links.TryGetValue(track.Id, out FollowEntry? known))
         {
-            // What was followed stays so, as long as its track goes on.
-            if (known.IsOver && known.Task.Result == FollowResult.Followed)
+            // What was followed, or rejected, stays so, as long as its track goes on.
+            if (known.Task.Result is FollowResult.Followed or FollowResult.Rejected)
                 return known;
             bool isOther = known.IsOver || (IsFresh(known, flight.Now) && flight.Now - track.LastSeen <= MaxAge
                 && PlaceOf(known, frame, flight.Now).DistanceTo(place)
@@ -89,23 +103,35 @@ internal sealed class FollowLinks(FollowBook book)
             _links.Remove(track.Id);
         }
 
-        return Nearest(flight, track, place, isFollowed: false) ?? Nearest(flight, track, place, isFollowed: true);
+        return Nearest(flight, track, place, FollowResult.None)
+            ?? Nearest(flight, track, place, FollowResult.Followed)
+            ?? Nearest(flight, track, place, FollowResult.Rejected);
     }
 
-    // The task of which the target may be there by now: one that is not over, or of a target that was followed.
-    private FollowEntry? Nearest(MissionFlight flight, TargetTrack track, PlanePoint place, bool isFollowed)
+    // The operator has rejected it: it ends for all.
+    private void EndRejected(TargetTrack track, byte own, TimeSpan now)
     {
+        if (_links.TryGetValue(track.Id, out FollowEntry? entry) && entry.Task.Result != FollowResult.Rejected)
+            entry.Close(own, FollowResult.Rejected, now);
+    }
+
+    // The task of which the target may be there by now: one that is not over, or of a target that was followed, or was
+    // rejected a short time ago.
+    private FollowEntry? Nearest(MissionFlight flight, TargetTrack track, PlanePoint place, FollowResult result)
+    {
+        bool isOver = result != FollowResult.None;
         FollowEntry? nearest = null;
         double least = double.PositiveInfinity;
         foreach (FollowEntry entry in book.Entries)
         {
-            bool isEligible = isFollowed ? entry.Task.Result == FollowResult.Followed : !entry.IsOver;
+            bool isEligible = entry.Task.Result == result
+                && (result != FollowResult.Rejected || flight.Now - entry.Task.Time <= MaxRejectedAge);
             if (!isEligible || !IsSuch(entry.Task, track.Class, track.MarkerId)
-                || (!isFollowed && IsShownByAnother(entry, track, flight)))
+                || (!isOver && IsShownByAnother(entry, track, flight)))
                 continue;
             double distance = PlaceOf(entry, flight.Plan!.Frame, flight.Now).DistanceTo(place);
             double seconds = Math.Max(0, (flight.Now - entry.Task.Time - MaxAge).TotalSeconds);
-            double speed = isFollowed ? SpeedAfterwards(entry.Task) : TargetSpeeds.Of(track.Motion);
+            double speed = isOver ? SpeedAfterwards(entry.Task) : TargetSpeeds.Of(track.Motion);
             double gone = Math.Min(GrowingSearch.MaxRadiusMetres, speed * seconds);
             if (distance <= SameMetres + RadiusOf(track) + RadiusOf(entry) + gone && distance < least)
                 (nearest, least) = (entry, distance);

@@ -96,6 +96,8 @@ internal sealed partial class MissionGroup
         if (task.State == FollowState.Closed)
         {
             return task.Result == FollowResult.SameTarget ? "is followed as another one"
+                : task.Result == FollowResult.Rejected
+                    ? $"was rejected by the operator of vehicle {MissionNumbers.Of(task.Decider)}"
                 : $"vehicle {MissionNumbers.Of(task.Decider)} has ended it";
         }
 

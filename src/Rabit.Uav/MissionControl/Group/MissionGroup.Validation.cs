@@ -84,6 +84,8 @@ internal sealed partial class MissionGroup
         List<byte> able = present.Where(m => m.Report.State == GroupMemberState.Available).Select(m => m.SystemId)
             .ToList();
         _validation?.Update(flight, SystemId, able);
+        foreach (TargetTrack track in _validation?.RejectedElsewhere(flight) ?? [])
+            flight.OperatorActions.RejectToo(flight, track);
         bool hasLanes = flight.Route?.Current is not null;
         if (_hadLanes && !hasLanes)
             _validation?.BidForOpen(t => SecondsTo(flight, t));

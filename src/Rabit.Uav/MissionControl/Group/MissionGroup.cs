@@ -76,6 +76,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         Lanes = Lanes?.Lanes.Count ?? 0,
         Validations = _validation?.TasksOf(SystemId).ToImmutableArray() ?? [],
         Followings = _following?.Entries.Select(e => e.Task).ToImmutableArray() ?? [],
+        FollowedTracks = _links?.Tracks ?? [],
         Refused = _members.Refused + _division.Refused + _coverage.Refused + (_validation?.Refused ?? 0)
             + (_following?.Refused ?? 0),
     };

@@ -72,6 +72,15 @@ internal sealed class OperatorActions(Func<TrackDecision, bool> decide)
         }
     }
 
+    /// <summary>What the operator rejected at another vehicle is so here, once; ours may say otherwise.</summary>
+    public void RejectToo(MissionFlight flight, TargetTrack track)
+    {
+        if (track.Decision != TargetDecision.None || !_rejectedAgain.Add(track.Id))
+            return;
+        flight.Log($"track {MissionNumbers.Of(track.Id)} was rejected by the operator of another vehicle");
+        decide(new TrackDecision { TrackId = track.Id, Decision = TargetDecision.Rejected });
+    }
+
     /// <summary>The manager ends.</summary>
     public void Close(MissionFlight flight)
     {

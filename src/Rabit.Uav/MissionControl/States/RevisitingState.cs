@@ -47,11 +47,13 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
             : track is null ? OperatorFaults.PlaceOf(flight.Plan!, _order!.Place)
             : Revisits.PositionOf(track, flight);
         BeginPass(flight, target, track);
+        flight.IsFollowing = _follower is not null;
     }
 
     /// <summary>A target of the group is for another one then.</summary>
     public override void Leave(MissionFlight flight)
     {
+        flight.IsFollowing = false;
         if (_task is not null)
             flight.Group!.LeaveFollowed(flight);
         _task = null;
@@ -138,7 +140,7 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
         bool isLate = inPhase > _limit + flight.Mission.Revisit.FollowTime + (_task?.MaxSearch ?? _tracked!.MaxSearch);
         bool isOver = follower.Tick(flight) || isLate;
         bool isEnough = follower.InView >= flight.Mission.Revisit.FollowTime;
-        string inView = (isEnough ? "followed, " : "lost, ")
+        string inView = (follower.IsRejected ? "rejected by the operator, " : isEnough ? "followed, " : "lost, ")
             + $"{MissionNumbers.Of((int)follower.InView.TotalSeconds)} s in view";
         if (_task is { } task)
             return FollowForGroup(flight, follower, task, isOver, isEnough, inView);
@@ -152,7 +154,9 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
     {
         flight.Text = $"{Doing(follower)} {task.Name}";
         if (isOver)
-            flight.Group!.EndFollowed(flight, task, follower, isEnough ? FollowResult.Followed : FollowResult.Lost);
+            flight.Group!.EndFollowed(
+                flight, task, follower,
+                follower.IsRejected ? FollowResult.Rejected : isEnough ? FollowResult.Followed : FollowResult.Lost);
         else
             flight.Group!.ReportFollowed(flight, task, follower);
         string? relieved = isOver ? inView : flight.Group!.WhyNotFollowed(flight, task);

@@ -67,6 +67,12 @@ internal sealed class TargetValidation(ushort session, IValidationSender sender,
                 t => t.State == ValidationState.Closed && t.Result != ValidationResult.Unknown
                     && AreSame(TaskOf(track), t, frame));
 
+    /// <summary>
+    /// Our tracks of what the operator of another vehicle has rejected: of each target the nearest one of its class.
+    /// </summary>
+    public IEnumerable<TargetTrack> RejectedElsewhere(MissionFlight flight) => _bidder.Tasks
+        .Where(t => t.IsRejectedByOperator).Select(t => NearestTrack(flight, t)).OfType<TargetTrack>();
+
     /// <summary>Takes the state of a task of another vehicle.</summary>
     /// <param name="task">As its finder sent it.</param>
     /// <param name="ownSystemId">Ours.</param>
@@ -109,6 +115,7 @@ internal sealed class TargetValidation(ushort session, IValidationSender sender,
                 _own.Add(track);
         }
 
+        EndRejected(flight, ownSystemId);
         foreach (TargetTrack track in _own)
         {
             ValidationTask target = TaskOf(track);
@@ -158,6 +165,31 @@ internal sealed class TargetValidation(ushort session, IValidationSender sender,
     {
         _bidder.DeclineAll(now);
         Look = null;
+    }
+
+    // Also what another vehicle announced; who found the same target ends its own task then.
+    private void EndRejected(MissionFlight flight, byte ownSystemId)
+    {
+        TargetTrack[] elsewhere = RejectedElsewhere(flight).ToArray();
+        foreach (TargetTrack track in flight.Tracks.Tracks)
+        {
+            bool isElsewhere = elsewhere.Contains(track);
+            bool isRejected = isElsewhere
+                || track is { Decision: TargetDecision.Rejected, Motion: TargetMotion.Standing };
+            bool isAnnounced = _finder.Find(track.Id) is not null;
+            if (isRejected && (isAnnounced || !isElsewhere))
+                _finder.Reject(track.Id, TaskOf(track), ownSystemId, flight.Now);
+        }
+    }
+
+    private static TargetTrack? NearestTrack(MissionFlight flight, ValidationTask task)
+    {
+        LocalNedFrame frame = flight.Plan!.Frame;
+        return flight.Tracks.Tracks
+            .Where(t => t.Motion == TargetMotion.Standing && AreSame(TaskOf(t), task, frame))
+            .OrderBy(t => ValidationLook.PlaceOf(frame, t.Position)
+                .DistanceTo(ValidationLook.PlaceOf(frame, task.Position)))
+            .FirstOrDefault();
     }
 
     private ValidationLook LookInPassing(in ValidationTask task, LocalNedFrame frame)

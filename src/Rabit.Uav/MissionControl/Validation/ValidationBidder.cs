@@ -50,7 +50,8 @@ internal sealed class ValidationBidder(IValidationSender sender)
         bool isOlder = isKnown && (task.Award < known.Award
             || (task.Award == known.Award && task.State == ValidationState.Awarded && known.State != task.State)
             || known.State == ValidationState.Closed);
-        if (task.Finder == ownSystemId || (!isKnown && _tasks.Count >= MaxTasks)
+        bool isRejected = known.IsRejectedByOperator && !task.IsRejectedByOperator;
+        if (task.Finder == ownSystemId || (!isKnown && _tasks.Count >= MaxTasks) || isRejected
             || (isOlder && task.State != ValidationState.Closed))
         {
             Refused++;

@@ -80,6 +80,20 @@ internal sealed class ValidationFinder(ushort session, IValidationSender sender,
         task?.Close(ValidationResult.Unknown, now);
     }
 
+    /// <summary>
+    /// The operator has rejected a target: its task ends, also one that has another result. Where it has none there
+    /// will be none, of another finder neither: it is announced as what it is.
+    /// </summary>
+    public void Reject(int trackId, ValidationTask target, byte ownSystemId, TimeSpan now)
+    {
+        Announce(trackId, target);
+        if (_tasks.Find(t => t.TrackId == trackId) is not { } task
+            || (task.Task with { Finder = ownSystemId }).IsRejectedByOperator)
+            return;
+        log($"track {MissionNumbers.Of(trackId)} is rejected by the operator: it needs no validation");
+        task.Reject(ownSystemId, now);
+    }
+
     /// <summary>Sends the state of a task once more.</summary>
     public void SendSoon(ushort number, TimeSpan now)
     {
@@ -230,6 +244,12 @@ internal sealed class ValidationFinder(ushort session, IValidationSender sender,
             _task.Validator = 0;
             BidsSince = null;
             SendAt = TimeSpan.Zero;
+        }
+
+        public void Reject(byte finder, TimeSpan now)
+        {
+            _task.Validator = finder;
+            Close(ValidationResult.Rejected, now);
         }
 
         public void Close(ValidationResult result, TimeSpan now)

@@ -164,6 +164,28 @@ public sealed class FollowProtocolTests
         }
     }
 
+    // What the operator says holds, whatever was decided meanwhile where that was not received.
+    [Theory]
+    [InlineData(FollowResult.Followed)]
+    [InlineData(FollowResult.Lost)]
+    public void Task_RejectedBehindAPartition_IsRejectedForAllAfterIt(FollowResult result)
+    {
+        var network = new FollowNetwork(2, seed: 1);
+        network.Announce();
+        Assert.True(network.RunUntil(() => network.Seeing.SequenceEqual([0]), 10));
+        network.Reaches = (_, _) => false;
+        TimeSpan now = TimeSpan.FromSeconds(network.Seconds);
+        network.BookOf(1).Entries.Single().Close(2, FollowResult.Rejected, now);
+        FollowEntry followed = network.FollowedBy(0);
+        followed.HandOver(1, now);
+        followed.Close(1, result, now);
+        network.Reaches = (_, _) => true;
+        network.Run(3);
+        Assert.All(
+            Enumerable.Range(0, 2),
+            i => Assert.Equal(FollowResult.Rejected, Assert.Single(network.BookOf(i).Entries).Task.Result));
+    }
+
     [Fact]
     public void Task_Closed_IsSilentAfterAWhileAndAnswersWhoMissedIt()
     {

@@ -26,6 +26,7 @@ public sealed class GroupFollowingTests
             rig.Run(1);
             Assert.True(rig.Rigs[follower].Vehicle.Sees(0), $"out of view at {rig.Seconds}: {rig.Story}");
             Assert.Equal([follower], Following(rig));
+            Assert.Equal(ImagingMode.Follow, rig.Rigs[follower].Vehicle.Imaging.Mode);
         }
 
         Assert.True(rig.RunToEnd(), rig.Story);
@@ -135,6 +136,27 @@ public sealed class GroupFollowingTests
         Assert.Equal(FollowResult.Lost, Assert.Single(Tasks(rig)).Result);
         Assert.Contains("is lost: searched for within 100.0 m", rig.Story);
         Assert.All(rig.Rigs, r => Assert.Equal(MissionOutcome.Accomplished, r.Status.Result.Outcome));
+    }
+
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void Target_OperatorRejectsIt_IsFollowedByNone(bool isRejectedByItsFollower)
+    {
+        using GroupRig rig = Open(2, followSeconds: 300);
+        Add(rig, Walker(0.5));
+        Assert.True(rig.RunUntil(() => Following(rig).Any(i => rig.Rigs[i].Vehicle.Sees(0)), 300), rig.Story);
+        rig.Run(3);
+        int follower = Following(rig)[0];
+        int rejects = isRejectedByItsFollower ? follower : 1 - follower;
+        if (!isRejectedByItsFollower)
+            Assert.True(rig.RunUntil(() => rig.Rigs[rejects].Status.TracksConfirmed == 1, 250), rig.Story);
+        rig.Rigs[rejects].Manager.Reject(101, "test", "a dog");
+        Assert.True(rig.RunUntil(() => Following(rig).Length == 0, 3), rig.Story);
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.Equal(FollowResult.Rejected, Assert.Single(Tasks(rig)).Result);
+        Assert.Contains("rejected by the operator", rig.Story, StringComparison.Ordinal);
+        Assert.Equal(1, rig.Rigs.Sum(r => r.Decisions.Count(d => d.Contains("-> Revisiting"))));
     }
 
     // Nothing is kept from being searched any more.

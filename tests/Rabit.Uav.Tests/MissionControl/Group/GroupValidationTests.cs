@@ -168,6 +168,51 @@ public sealed class GroupValidationTests
         Assert.True(rig.RunUntil(() => Validating(rig).Any(v => v != validator), 90), rig.Story);
     }
 
+    [Fact]
+    public void Target_OperatorRejectsIt_NoneFliesThereAndAllKnow()
+    {
+        using GroupRig rig = Open(3, maxDetourMetres: 0);
+        Assert.True(rig.RunUntil(() => Finder(rig) is not null, 600), rig.Story);
+        rig.Rigs[Finder(rig)!.Value].Manager.Reject(1, "test", "a bin");
+        rig.Run(3);
+        Assert.All(
+            Enumerable.Range(0, 3), i => Assert.True(Tasks(rig, i).Single().IsRejectedByOperator, rig.Story));
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.True(Assert.Single(Validated(rig)).IsRejectedByOperator, rig.Story);
+        Assert.DoesNotContain("Searching -> Revisiting", rig.Story, System.StringComparison.Ordinal);
+        Assert.All(rig.Rigs, r => Assert.Equal(0, r.Status.TracksConfirmed));
+    }
+
+    [Fact]
+    public void Target_OperatorRejectsItWhileAnotherFliesThere_ThatOneTurnsBack()
+    {
+        using GroupRig rig = Open(3);
+        Assert.True(rig.RunUntil(() => Validating(rig).Any(), 600), rig.Story);
+        rig.Rigs[Finder(rig)!.Value].Manager.Reject(1, "test", "a bin");
+        Assert.True(rig.RunUntil(() => !Validating(rig).Any(), 2), rig.Story);
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.True(Assert.Single(Validated(rig)).IsRejectedByOperator, rig.Story);
+    }
+
+    // Whose result was that it is one; also where what it says comes late.
+    [Theory]
+    [InlineData(0)]
+    [InlineData(0.4)]
+    public void Target_OperatorOfItsValidatorRejectsIt_IsRejectedForAll(double loss)
+    {
+        using GroupRig rig = Open(3);
+        Assert.True(rig.RunUntil(() => Validated(rig).Count == 1, 900), rig.Story);
+        rig.Loss = loss;
+        rig.Rigs[Validated(rig)[0].Validator - 1].Manager.Reject(1, "test", "a bin");
+        rig.Run(5);
+        Assert.All(
+            Enumerable.Range(0, 3), i => Assert.All(Tasks(rig, i), t => Assert.True(t.IsRejectedByOperator, rig.Story)));
+        Assert.All(rig.Rigs, r => Assert.Equal(0, r.Status.TracksConfirmed));
+    }
+
+    private static int? Finder(GroupRig rig) => Enumerable.Range(0, rig.Rigs.Count)
+        .Where(i => Tasks(rig, i).Any(t => t.Finder == i + 1)).Select(i => (int?)i).FirstOrDefault();
+
     private static IEnumerable<int> Validating(GroupRig rig) => Enumerable.Range(0, rig.Rigs.Count)
         .Where(i => !rig.Lost.Contains(i)
             && rig.Rigs[i].Status.Text?.StartsWith("validating", System.StringComparison.Ordinal) == true);
