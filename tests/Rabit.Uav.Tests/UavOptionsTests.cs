@@ -69,8 +69,8 @@ public sealed class UavOptionsTests
     }
 
     [Theory]
-    [InlineData(5, 17, "Mission Control: Mission in layer 5, 85.0 m above layer 0: heightMetres is 125; it must be 5 "
-        + "to 120; with 17.0 m from one layer to the next there is room for 5 vehicles, in layers 0 to 4.")]
+    [InlineData(5, 19, "Mission Control: Mission in layer 5, 95.0 m above layer 0: heightMetres is 135; it must be 5 "
+        + "to 120; with 19.0 m from one layer to the next there is room for 5 vehicles, in layers 0 to 4.")]
     [InlineData(1, 90, "Mission Control: Mission in layer 1, 90.0 m above layer 0: heightMetres is 130; it must be 5 "
         + "to 120; with 90.0 m from one layer to the next there is room for 1 vehicle, in layer 0.")]
     public void Open_LayerAboveTheLimit_SaysHowManyVehiclesThereIsRoomFor(int layer, double spacing, string expected)
@@ -78,7 +78,7 @@ public sealed class UavOptionsTests
 
     [Fact]
     public void Open_LayersUpToTheLimit_AreAllowed()
-        => UavSystem.Open(InGroup(new GroupOptions { HeightLayer = 5, LayerSpacingMetres = 16 })).Dispose();
+        => UavSystem.Open(InGroup(new GroupOptions { HeightLayer = 4, LayerSpacingMetres = 20 })).Dispose();
 
     private static UavOptions InGroup(GroupOptions group) => new()
     {

@@ -46,7 +46,8 @@ public sealed class SimulatedMissionTests : IDisposable
         Assert.True(exitCode == 0, console.ToString());
         Assert.Equal(
             isPointed,
-            console.Output.Any(l => l.Contains("DoGimbalManagerPitchyaw (1000): Accepted", StringComparison.Ordinal)));
+            console.Output.Any(
+                l => l.Contains("DO_GIMBAL_MANAGER_PITCHYAW (1000): ACCEPTED", StringComparison.Ordinal)));
     }
 
     [Fact]

@@ -47,7 +47,7 @@ internal static class GroupArguments
     /// <summary>How far two layers are apart.</summary>
     public static Option<double?> LayerSpacing { get; } = new("--layer-spacing")
     {
-        Description = "From one height layer of a group to the next, 15 to 100 m, the same for all; with --vehicles or "
+        Description = "From one height layer of a group to the next, 19 to 100 m, the same for all; with --vehicles or "
             + "--group-layer; the lowest is at the height of the mission then. 20 without it.",
         HelpName = "METRES",
         CustomParser = ParseSpacing,
@@ -117,9 +117,10 @@ internal static class GroupArguments
     {
         string text = result.Tokens[0].Value;
         if (double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double metres)
-            && metres is >= 15 and <= 100)
+            && metres is >= GroupOptions.MinLayerSpacingMetres and <= 100)
             return metres;
-        result.AddError($"--layer-spacing {text}: it must be a number of metres from 15 to 100.");
+        result.AddError($"--layer-spacing {text}: it must be a number of metres from "
+            + $"{GroupOptions.MinLayerSpacingMetres} to 100.");
         return null;
     }
 

@@ -68,7 +68,7 @@ internal static class GroupSummaryText
         RadioUse radio = vehicle.Radio!;
         return string.Format(
             CultureInfo.InvariantCulture,
-            "vehicle {0}: {1}, {2} flown, {3} m in {4}, {5} % of the battery; radio {6} frames, {7} kbit/s",
+            "vehicle {0}: {1}, {2} flown, {3} m, motors on for {4}, {5} % of the battery; radio {6} frames, {7} kbit/s",
             vehicle.SystemId, FlightText.Phase(mission.Phase),
             mission.LanesFlown == 1 ? "1 lane" : $"{FlightText.Number((long)mission.LanesFlown)} lanes",
             FlightText.Number(mission.FlownMetres, "0"), FlightText.Clock(mission.FlightTime),

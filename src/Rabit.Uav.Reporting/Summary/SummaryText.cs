@@ -97,7 +97,8 @@ public sealed class SummaryText
         if (flight.Acknowledgements.Count <= AcknowledgementsListed)
         {
             foreach (FlightAcknowledgement ack in flight.Acknowledgements)
-                Line($"{At(ack.UtcMicroseconds)}{ack.Command} ({(int)ack.Command}): {ack.Result}");
+                Line($"{At(ack.UtcMicroseconds)}{MavlinkNames.Of(ack.Command)} ({(int)ack.Command}): "
+                    + MavlinkNames.Of(ack.Result));
         }
         else
         {
@@ -114,9 +115,9 @@ public sealed class SummaryText
                 CultureInfo.InvariantCulture,
                 "{0}{1} ({2}): {3}, {4} times, the last at {5}",
                 At(kind.First().UtcMicroseconds),
-                kind.Key.Command,
+                MavlinkNames.Of(kind.Key.Command),
                 (int)kind.Key.Command,
-                kind.Key.Result,
+                MavlinkNames.Of(kind.Key.Result),
                 kind.Count(),
                 At(kind.Last().UtcMicroseconds).Trim()));
         }

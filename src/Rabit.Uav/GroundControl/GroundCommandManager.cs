@@ -146,12 +146,12 @@ public sealed class GroundCommandManager : RabitManager
         }
         else if (_authority.FindDenial(request.Source, request.IsSigned) is { } denial)
         {
-            Log($"{request.Command.Command} of {by} denied: {denial}");
+            Log($"{MavlinkNames.Of(request.Command.Command)} of {by} denied: {denial}");
             server.Complete(request.Handle, MavResult.Denied, Now);
         }
         else if (!GroundCommands.TryRead(request.Command, by, out OperatorRequest? command, out MavResult refusal))
         {
-            Log($"{request.Command.Command} of {by}: {refusal}");
+            Log($"{MavlinkNames.Of(request.Command.Command)} of {by}: {MavlinkNames.Of(refusal)}");
             server.Complete(request.Handle, refusal, Now);
         }
         else

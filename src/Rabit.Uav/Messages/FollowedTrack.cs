@@ -1,8 +1,8 @@
 namespace Rabit.Uav.Messages;
 
 /// <summary>
-/// A track of this vehicle that is the target of a <see cref="FollowTask"/>. A target has a new track each time it comes
-/// into view after it was lost. A plain value.
+/// A track of this vehicle that is the target of a <see cref="FollowTask"/>. A target has a new track each time it
+/// comes into view after it was lost. A plain value.
 /// </summary>
 /// <param name="Finder">The finder of the task.</param>
 /// <param name="Session">The session of the task.</param>

@@ -86,6 +86,6 @@ public sealed class GroupCommandTests
             Radio = new SimulatedRadioOptions { Partitions = partitions.ToArray() },
             GroundStations = [new SimulatedStationPlace(-20, 0), new SimulatedStationPlace(0, -300)],
         };
-        return new GroupFlight(plan, options, layerSpacingMetres: 17);
+        return new GroupFlight(plan, options, layerSpacingMetres: 19);
     }
 }

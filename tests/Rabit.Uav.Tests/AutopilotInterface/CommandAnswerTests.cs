@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Messages;
@@ -35,7 +36,7 @@ public class CommandAnswerTests
         copter.Script = (_, _) => null;
         VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.TakeOff, seconds: 20);
         Assert.Equal(
-            (VehicleCommandOutcome.TimedOut, "no answer to NavTakeoff, sent 4 times"), (answer.Outcome, answer.Text));
+            (VehicleCommandOutcome.TimedOut, "no answer to NAV_TAKEOFF, sent 4 times"), (answer.Outcome, answer.Text));
         Assert.Equal(4, copter.Received.Count - 2);
     }
 
@@ -91,7 +92,7 @@ public class CommandAnswerTests
             };
             VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.Arm);
             Assert.Equal(
-                (VehicleCommandOutcome.Refused, $"ComponentArmDisarm: {result} (Arm: Compass not calibrated)"),
+                (VehicleCommandOutcome.Refused, $"COMPONENT_ARM_DISARM: {MavlinkNames.Of(result)} (Arm: Compass not calibrated)"),
                 (answer.Outcome, answer.Text));
             Assert.Equal(2, copter.Received.Count);
         }

@@ -154,7 +154,7 @@ public class CommandTests
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         copter.Script = (_, _) => MavResult.Failed;
         VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.Disarm);
-        Assert.Equal((VehicleCommandOutcome.Refused, "ComponentArmDisarm: Failed"), (answer.Outcome, answer.Text));
+        Assert.Equal((VehicleCommandOutcome.Refused, "COMPONENT_ARM_DISARM: FAILED"), (answer.Outcome, answer.Text));
         Assert.Equal(0f, copter.Last<CommandLong>().Param1);
     }
 

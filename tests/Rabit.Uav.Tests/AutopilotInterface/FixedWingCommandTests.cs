@@ -119,7 +119,7 @@ public class FixedWingCommandTests
         wing.Mode = Posctl;   // not reported yet
         VehicleCommandResult answer = wing.GiveAndRun(VehicleCommandKind.GoTo);
         Assert.Equal(
-            (VehicleCommandOutcome.Refused, "DoReposition is not sent in POSCTL"), (answer.Outcome, answer.Text));
+            (VehicleCommandOutcome.Refused, "DO_REPOSITION is not sent in POSCTL"), (answer.Outcome, answer.Text));
         Assert.Empty(wing.Received);
     }
 

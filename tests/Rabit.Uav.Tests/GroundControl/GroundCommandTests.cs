@@ -155,7 +155,7 @@ public sealed class GroundCommandTests : IDisposable
         Assert.Equal(MavResult.Denied, Assert.Single(Answers()).Result);
         Assert.Equal(MissionPhase.Searching, _flight.Status.Phase);
         Assert.Contains(_log, l => l.Contains(
-            "NavReturnToLaunch of system 42 component 190 denied: it may not command", StringComparison.Ordinal));
+            "NAV_RETURN_TO_LAUNCH of system 42 component 190 denied: it may not command", StringComparison.Ordinal));
     }
 
     // No link: the answer takes longer than half a second.

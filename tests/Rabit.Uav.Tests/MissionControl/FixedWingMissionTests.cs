@@ -222,7 +222,7 @@ public class FixedWingMissionTests
         rig.Run(1);
         Assert.Equal(MissionPhase.Holding, rig.Status.Phase);
         Assert.Contains(
-            "the leg was not accepted: refused: DoReposition: Denied", rig.Status.Text, StringComparison.Ordinal);
+            "the leg was not accepted: refused: DO_REPOSITION: DENIED", rig.Status.Text, StringComparison.Ordinal);
         rig.Run(60);
         Assert.Equal(rig.Legs, places + 1);
         Assert.Equal(MissionPhase.HandedOver, rig.Status.Phase);

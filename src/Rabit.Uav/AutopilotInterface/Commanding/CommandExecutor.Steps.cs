@@ -105,7 +105,9 @@ internal sealed partial class CommandExecutor
             return GiveUpWaiting(vehicle, now);
         if (step.OnlyInMode is { } only && vehicle.CustomMode != only)
         {
-            Finish(VehicleCommandOutcome.Refused, $"{step.Request.Command} is not sent in {vehicle.Mode}", now);
+            Finish(
+                VehicleCommandOutcome.Refused,
+                $"{MavlinkNames.Of(step.Request.Command)} is not sent in {vehicle.Mode}", now);
             return false;
         }
 
@@ -162,7 +164,7 @@ internal sealed partial class CommandExecutor
             return false;
         Finish(
             VehicleCommandOutcome.TimedOut,
-            $"no report of the mode, without which {_steps[_step].Request.Command} is not sent", now);
+            $"no report of the mode, without which {MavlinkNames.Of(_steps[_step].Request.Command)} is not sent", now);
         return false;
     }
 
@@ -171,7 +173,8 @@ internal sealed partial class CommandExecutor
         if (outcome.Result is not { } result)
         {
             Finish(
-                VehicleCommandOutcome.TimedOut, $"no answer to {step.Request.Command}, sent {outcome.Sent} times", now);
+                VehicleCommandOutcome.TimedOut,
+                $"no answer to {MavlinkNames.Of(step.Request.Command)}, sent {outcome.Sent} times", now);
             return false;
         }
 
@@ -217,7 +220,7 @@ internal sealed partial class CommandExecutor
     {
         if (_reason is null && now - _phaseSince < ReasonWait)
             return false;
-        string text = $"{_steps[_step].Request.Command}: {_refusal}";
+        string text = $"{MavlinkNames.Of(_steps[_step].Request.Command)}: {MavlinkNames.Of(_refusal)}";
         Finish(VehicleCommandOutcome.Refused, _reason is null ? text : $"{text} ({_reason})", now);
         return false;
     }

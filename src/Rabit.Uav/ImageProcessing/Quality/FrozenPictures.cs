@@ -1,3 +1,4 @@
+using System;
 using Rabit.Geodesy;
 
 namespace Rabit.Uav.ImageProcessing.Quality;
@@ -9,6 +10,10 @@ internal sealed class FrozenPictures
 {
     // Two pictures are compared when the ground has moved by twice the distance at which coarse detail is measured.
     private const double MinPixelsMoved = 16;
+
+    // A vehicle that hovers says that it moves, by the noise of its position and attitude, where a stabilised camera
+    // gives one picture again and again.
+    private const double MinMetresMoved = 2;
 
     private GeodeticPosition? _reference;
 
@@ -24,7 +29,8 @@ internal sealed class FrozenPictures
     /// <returns>Whether it is the reference from now on.</returns>
     public bool Take(bool isSame, in PictureView view)
     {
-        bool hasMoved = _reference is { } centre && view.PixelsFrom(centre) > MinPixelsMoved;
+        double moved = _reference is { } centre ? view.MetresFrom(centre) : 0;
+        bool hasMoved = moved > Math.Max(MinMetresMoved, MinPixelsMoved * view.GroundSamplingMetres);
         IsFrozen = isSame && (IsFrozen || hasMoved);
         if (IsFrozen || (_reference is not null && !hasMoved))
             return false;

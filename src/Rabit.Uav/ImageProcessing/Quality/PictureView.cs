@@ -35,10 +35,7 @@ internal struct PictureView
         }
     }
 
-    /// <summary>How far on the middle of the picture is from that of another one, pixels.</summary>
-    public readonly double PixelsFrom(GeodeticPosition centre)
-    {
-        NedPosition way = LocalNedFrame.IgnoringGeoid(centre).ToNed(Centre);
-        return Math.Sqrt((way.North * way.North) + (way.East * way.East)) / GroundSamplingMetres;
-    }
+    /// <summary>How far on the middle of the picture is from that of another one, metres over ground.</summary>
+    public readonly double MetresFrom(GeodeticPosition centre)
+        => NedPosition.Origin.HorizontalDistanceTo(LocalNedFrame.IgnoringGeoid(centre).ToNed(Centre));
 }

@@ -25,6 +25,14 @@ public sealed class GroupOptions
     internal const double SeparationMetres = 15;
 
     /// <summary>
+    /// So much nearer than their layers two vehicles come by the errors of their heights, metres: 3.5 in 200 flights.
+    /// </summary>
+    internal const double HeightErrorMetres = 4;
+
+    /// <summary>The least distance of two layers, metres.</summary>
+    public const double MinLayerSpacingMetres = SeparationMetres + HeightErrorMetres;
+
+    /// <summary>
     /// How many layers above the height of the mission this vehicle flies. No two vehicles of a group have the same.
     /// </summary>
     /// <value>0 to <see cref="MaxLayer"/>. The default is 0.</value>
@@ -32,7 +40,8 @@ public sealed class GroupOptions
 
     /// <summary>From one layer to the next, metres; the same for all vehicles of a group.</summary>
     /// <value>
-    /// 15 to 100. The default is 20: heights by satellite and barometer differ between vehicles by some metres.
+    /// <see cref="MinLayerSpacingMetres"/>, 19, to 100: 15 m of separation, and the errors of heights by satellite and
+    /// barometer. The default is 20.
     /// </value>
     public double LayerSpacingMetres { get; set; } = 20;
 
@@ -65,9 +74,9 @@ public sealed class GroupOptions
     {
         if (HeightLayer is < 0 or > MaxLayer)
             yield return $"{nameof(HeightLayer)} is {HeightLayer}; it must be 0 to {MaxLayer}";
-        if (!(LayerSpacingMetres >= SeparationMetres && LayerSpacingMetres <= 100))
+        if (!(LayerSpacingMetres >= MinLayerSpacingMetres && LayerSpacingMetres <= 100))
             yield return FormattableString.Invariant(
-                $"{nameof(LayerSpacingMetres)} is {LayerSpacingMetres}; it must be {SeparationMetres} to 100");
+                $"{nameof(LayerSpacingMetres)} is {LayerSpacingMetres}; it must be {MinLayerSpacingMetres} to 100");
         if (SilentAfter < TimeSpan.FromSeconds(2) || SilentAfter > TimeSpan.FromMinutes(1))
             yield return $"{nameof(SilentAfter)} is {SilentAfter}; it must be 2 to 60 s";
         if (MaxWait < TimeSpan.Zero || MaxWait > TimeSpan.FromMinutes(10))

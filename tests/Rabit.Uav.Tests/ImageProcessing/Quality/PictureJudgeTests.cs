@@ -87,6 +87,18 @@ public class PictureJudgeTests
         Assert.Equal(PictureQuality.Usable, Judge(Ground(), metresOn: 3));
     }
 
+    // Its position sways by 0.7 m to each side: 35 pixels of 2 cm.
+    [Fact]
+    public void Judge_SamePictureOfAStabilisedCameraThatHovers_IsUsableUntilItFliesOn()
+    {
+        double[] ground = Ground();
+        Assert.Equal(PictureQuality.Usable, Judge(ground, sampling: 0.02));
+        for (int i = 0; i < 10; i++)
+            Assert.Equal(
+                PictureQuality.Usable, Judge(ground, metresOn: i == 0 ? 0.7 : i % 2 == 0 ? 1.4 : -1.4, sampling: 0.02));
+        Assert.Equal(PictureQuality.Frozen, Judge(ground, metresOn: 3, sampling: 0.02));
+    }
+
     // An attitude that is wrong by 1.5 degrees in a turn: the place has moved by 20 pixels, the picture by one or two.
     [Fact]
     public void Judge_PictureThatMovedLessThanItsPose_IsUsable()
@@ -132,13 +144,13 @@ public class PictureJudgeTests
             Assert.Equal(PictureQuality.Usable, Judge(Ground()));
     }
 
-    private PictureQuality Judge(double[] picture, double metresOn = 3)
+    private PictureQuality Judge(double[] picture, double metresOn = 3, double sampling = 0.1)
     {
         _north += metresOn;
         var view = new PictureView
         {
             Centre = GeodeticPosition.FromRadians(0.8 + (_north / 6_378_000), 0.1, 500),
-            GroundSamplingMetres = 0.1,
+            GroundSamplingMetres = sampling,
             NeededSamplingMetres = 0.15,
         };
         return _judge.Judge(Pixels(picture), Width, Height, view);

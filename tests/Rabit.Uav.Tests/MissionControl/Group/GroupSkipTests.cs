@@ -131,7 +131,7 @@ public sealed class GroupSkipTests
 
     private static GroupRig Open(int vehicles) => new(
         vehicles, Mission(),
-        change: (number, o) => o.Group = new GroupOptions { HeightLayer = number, LayerSpacingMetres = 15 });
+        change: (number, o) => o.Group = new GroupOptions { HeightLayer = number, LayerSpacingMetres = 19 });
 
     private static MissionPlan Mission() => MissionPlan.Parse(
         MissionRig.Text(", \"requiredCoverage\": 0.7", Field).Replace("\"heightMetres\":40", "\"heightMetres\":50")
