@@ -55,7 +55,7 @@ public sealed class GroupTests : IDisposable
     [Theory]
     [InlineData(2, null, 40)]
     [InlineData(3, null, 35)]
-    [InlineData(3, 17.0, 40)]
+    [InlineData(3, 19.0, 40)]
     public void Open_Vehicles_TheLayersBeginSoLowThatTheThirdSeesTheSmallestTarget(
         int vehicles, double? spacingMetres, double heightMetres)
     {
