@@ -74,7 +74,7 @@ public sealed class GroupCommandTests
         SimulationOptions world = SearchFlight.SmallWorld();
         world.Seed = 5;
         MissionPlan plan = MissionPlan.Parse(
-            SearchFlight.SmallMission.Replace("\"heightMetres\": 30", "\"heightMetres\": 20")
+            SearchFlight.SmallMission.Replace("\"heightMetres\": 30", "\"heightMetres\": 18")
                 .Replace(
                     "\"laneSpacingMetres\": 22",
                     "\"groundStationLost\": {\"action\": \"continue\"}, \"laneSpacingMetres\": 14"),

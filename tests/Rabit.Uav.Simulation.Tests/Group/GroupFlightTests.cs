@@ -167,11 +167,11 @@ public sealed class GroupFlightTests
         int vehicles, SimulationOptions world, bool hasEventLogs, params SimulatedGroupFault[] faults)
     {
         MissionPlan plan = MissionPlan.Parse(
-            SearchFlight.SmallMission.Replace("\"heightMetres\": 30", "\"heightMetres\": 20")
+            SearchFlight.SmallMission.Replace("\"heightMetres\": 30", "\"heightMetres\": 18")
                 .Replace("\"laneSpacingMetres\": 22", "\"laneSpacingMetres\": 14"),
             "small");
         return new GroupFlight(
             plan, new SimulatedGroupOptions { Vehicles = vehicles, World = world, Faults = faults },
-            layerSpacingMetres: 17, hasEventLogs);
+            layerSpacingMetres: 19, hasEventLogs);
     }
 }

@@ -132,6 +132,6 @@ public sealed class LateVehicleTests(ITestOutputHelper output)
             World = world,
             Faults = [new SimulatedGroupFault(Late, SimulatedGroupFaultKind.SwitchedOn, SwitchedOn)],
         };
-        return new GroupFlight(plan, options, layerSpacingMetres: 17, wire: wire);
+        return new GroupFlight(plan, options, layerSpacingMetres: 19, wire: wire);
     }
 }

@@ -185,10 +185,20 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
             .Count(m => m.Report.State == GroupMemberState.Available && m.Report.MetresLeft > 0);
         return busy > 0
             ? $"our lanes are flown; others still searching: {MissionNumbers.Of(busy)}"
+            : AreLanesToBeDivided(flight.Now) ? "our lanes are flown; those of another vehicle are divided"
             : !HasOthers(flight) ? null
             : _validation?.IsPending == true ? "our lanes are flown; targets are still being validated"
             : _following?.IsPending == true ? "our lanes are flown; a target is still followed"
             : null;
+    }
+
+    // Another one left, or is held, with lanes to fly: who divides them does so as soon as it knows.
+    private bool AreLanesToBeDivided(TimeSpan now)
+    {
+        var searching = new HashSet<byte>(_members.Present(now)
+            .Where(m => m.Report.State == GroupMemberState.Available).Select(m => m.SystemId));
+        return _division.Shares.Any(
+            s => s.SystemId != SystemId && !searching.Contains(s.SystemId) && MetresLeftOf(s.SystemId) > 0);
     }
 
     // It would wait until its battery calls it home, as one that failed.

@@ -49,6 +49,22 @@ public sealed class GroupSearchTests
         Assert.InRange(new PlanePoint(waiting.North, waiting.East).Length, 0, 5);
     }
 
+    // Also where the one that waits was not the one that divides.
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1)]
+    public void Wait_TheLastThatSearchesIsHeld_TakesOverItsLanes(int slow)
+    {
+        using GroupRig rig = Open(2);
+        rig.Rigs[slow].Vehicle.MaxSpeed = 2.5;
+        MissionRig waiting = rig.Rigs[1 - slow];
+        Assert.True(rig.RunUntil(() => IsWaiting(waiting), 900), rig.Story);
+        rig.Rigs[slow].Manager.Hold("test", "a stop");
+        Assert.True(rig.RunUntil(() => rig.ShareOf(1 - slow).Count > 0, 6), rig.Story);
+        Assert.True(rig.RunUntil(() => waiting.Status.Phase == MissionPhase.Done, 900), rig.Story);
+        Assert.InRange(waiting.Status.Coverage, 0.98, 1);
+    }
+
     [Fact]
     public void Wait_BatteryIsTooLowToTakeAnythingOver_Returns()
     {
