@@ -18,7 +18,7 @@ internal static class GroupSummary
         GroupFlight flight, IReadOnlyList<FlightSummary> vehicles, ConsoleOptions options,
         IReadOnlyList<string> reports)
     {
-        MissionScore score = vehicles.Select(v => TargetScoring.Score(flight.Truth, v.Record.Tracks.Tracks))
+        MissionScore score = vehicles.Select(v => TargetScoring.Score(flight.Truth, v.Record, null))
             .OrderByDescending(s => s.Found).ThenBy(s => s.FalseTracks.Count).First();
         TruePose[] flown = flight.Group.Vehicles.SelectMany(v => v.World.Truth.Path.Where(p => p.Position.Down < 0))
             .ToArray();

@@ -117,9 +117,9 @@ public sealed class HtmlReport
         {
             _shell.Tile(
                 "targets found", $"{FlightText.Number(score.Found)} / {FlightText.Number(score.Targets.Count)}",
-                score.FalseTracks.Count == 0
+                (score.FalseTracks.Count == 0
                     ? "no false track"
-                    : $"{FlightText.Number(score.FalseTracks.Count)} false");
+                    : $"{FlightText.Number(score.FalseTracks.Count)} false") + ScoreText.SwitchesOf(score));
             _shell.Tile(
                 "position error",
                 double.IsNaN(score.RmseMetres) ? "none" : $"{FlightText.Number(score.RmseMetres, "0.00")} m",

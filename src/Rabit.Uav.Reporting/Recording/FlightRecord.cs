@@ -85,6 +85,9 @@ public sealed class FlightRecord
     /// <summary>What it did for its group, at each change, oldest first; none where it is in no group.</summary>
     public IReadOnlyList<GroupRole> GroupRoles { get; init; } = [];
 
+    /// <summary>Where the tracks of targets that move were while they were seen.</summary>
+    public IReadOnlyList<TrackPath> MovingTrackPaths { get; init; } = [];
+
     /// <summary>Length of the path that was flown, metres: speed over ground and climb, integrated over time.</summary>
     public double FlownMetres { get; init; }
 

@@ -117,6 +117,7 @@ internal sealed class RecordKeeper(
                 Tracks = _tracks,
                 Group = _group.Latest,
                 GroupRoles = _group.ToArray(),
+                MovingTrackPaths = _moving.Paths,
                 Pictures = _pictures.ToArray(),
                 Overviews = _pictures.OverviewsToArray(),
                 FlownMetres = _flownMetres,

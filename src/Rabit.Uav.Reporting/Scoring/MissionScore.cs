@@ -15,9 +15,13 @@ public sealed class MissionScore
     public IReadOnlyList<TargetScore> Targets { get; init; } = [];
 
     /// <summary>
-    /// Confirmed tracks of no target: none of that class is near enough, or another track is nearer to it.
+    /// Confirmed tracks of no target: none of that class is near enough, or another track is nearer to it. One that was
+    /// on one target and then on another is in <see cref="IdentitySwitches"/> instead.
     /// </summary>
     public IReadOnlyList<TargetTrack> FalseTracks { get; init; } = [];
+
+    /// <summary>How often a track of a target that moves went over to another target of its class.</summary>
+    public int IdentitySwitches { get; init; }
 
     /// <summary>
     /// The true horizontal distance of the vehicle from home at the end, metres; null where only the autopilot's own

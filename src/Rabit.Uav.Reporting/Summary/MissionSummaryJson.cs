@@ -90,6 +90,7 @@ internal static class MissionSummaryJson
         json.WriteNumber("targets", score.Targets.Count);
         json.WriteNumber("found", score.Found);
         json.WriteNumber("false", score.FalseTracks.Count);
+        json.WriteNumber("identitySwitches", score.IdentitySwitches);
         WriteNumber(json, "rmseMetres", score.RmseMetres);
         json.WriteNumber("inEllipse", score.InEllipse);
         json.WriteStartArray("falseTrackIds");

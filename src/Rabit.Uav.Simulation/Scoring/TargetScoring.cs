@@ -22,7 +22,10 @@ public static class TargetScoring
     /// <summary>A track farther from a target than this is not a track of that target, metres.</summary>
     public const double GateMetres = 10;
 
-    /// <summary>Scores a mission.</summary>
+    /// <summary>
+    /// Scores a mission. A track of a class that moves which was on one target and then on another, as targets of one
+    /// class that are out of sight for a while are exchanged, is no false one: it counts as an identity switch.
+    /// </summary>
     /// <param name="truth">The real targets.</param>
     /// <param name="record">The flight.</param>
     /// <param name="trueEnd">
@@ -32,16 +35,19 @@ public static class TargetScoring
     {
         if (record is null)
             throw new ArgumentNullException(nameof(record));
-        return Score(truth, record.Tracks.Tracks, DistanceFromHome(record.Mission.Plan, trueEnd));
+        return Score(
+            truth, record.Tracks.Tracks, record.MovingTrackPaths, DistanceFromHome(record.Mission.Plan, trueEnd));
     }
 
-    /// <summary>Scores tracks.</summary>
+    /// <summary>Scores tracks, by where they are at the end.</summary>
     /// <param name="truth">The real targets.</param>
     /// <param name="tracks">Confirmed ones count, and lost ones of a class that moves; others are ignored.</param>
-    public static MissionScore Score(TargetTruth truth, IEnumerable<TargetTrack> tracks) => Score(truth, tracks, null);
+    public static MissionScore Score(TargetTruth truth, IEnumerable<TargetTrack> tracks)
+        => Score(truth, tracks, [], null);
 
     private static MissionScore Score(
-        TargetTruth truth, IEnumerable<TargetTrack> tracks, double? distanceFromHomeMetres)
+        TargetTruth truth, IEnumerable<TargetTrack> tracks, IReadOnlyList<TrackPath> paths,
+        double? distanceFromHomeMetres)
     {
         if (truth is null)
             throw new ArgumentNullException(nameof(truth));
@@ -56,10 +62,12 @@ public static class TargetScoring
                 taken.Add(track);
         }
 
+        var histories = new TrackHistories(truth, confirmed.Where(t => t.Motion != TargetMotion.Standing), paths);
         return new MissionScore
         {
+            IdentitySwitches = histories.IdentitySwitches,
             Targets = truth.Targets.Select((t, index) => Of(t, tracksOf[index].FirstOrDefault())).ToArray(),
-            FalseTracks = confirmed.Where(t => !isTaken.Contains(t.Id)).ToArray(),
+            FalseTracks = confirmed.Where(t => !isTaken.Contains(t.Id) && !histories.IsOfTargets(t)).ToArray(),
             DistanceFromHomeMetres = distanceFromHomeMetres,
         };
     }
@@ -109,6 +117,10 @@ public static class TargetScoring
         NedPosition offset = LocalNedFrame.IgnoringGeoid(plan.Home).ToNed(end);
         return Math.Sqrt((offset.North * offset.North) + (offset.East * offset.East));
     }
+
+    /// <summary>Over ground: a difference in height is no error.</summary>
+    internal static double MetresBetween(GeodeticPosition a, GeodeticPosition b) => NedPosition.Origin
+        .HorizontalDistanceTo(LocalNedFrame.IgnoringGeoid(OnEllipsoid(a)).ToNed(OnEllipsoid(b)));
 
     private static GeodeticPosition OnEllipsoid(GeodeticPosition position)
         => GeodeticPosition.FromRadians(position.Latitude.Radians, position.Longitude.Radians, 0);

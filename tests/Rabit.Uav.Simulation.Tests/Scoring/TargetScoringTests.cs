@@ -125,6 +125,75 @@ public sealed class TargetScoringTests
         Assert.Null(TargetScoring.Score(truth, FlightRecord.Empty, Home).DistanceFromHomeMetres);
     }
 
+    // Two targets of one class are exchanged while both are out of sight: one track ends where the other one began.
+    [Fact]
+    public void Score_TrackWentOverToAnotherTarget_IsAnIdentitySwitchAndNoneIsFalse()
+    {
+        (TargetTrack, TrackPath)[] tracks =
+        [
+            Walk(1, s => s <= 10 ? 0 : s >= 20 && s <= 30 ? 100 : null),
+            Walk(2, s => s <= 10 ? 100 : null),
+            Walk(3, s => s >= 20 && s <= 30 ? 0 : null),
+        ];
+        MissionScore score = ScoreWalks(tracks);
+        Assert.Equal((2, 0, 1), (score.Found, score.FalseTracks.Count, score.IdentitySwitches));
+        Assert.Single(Score(TwoReds(), [.. tracks.Select(t => t.Item1)]).FalseTracks);
+    }
+
+    [Theory]
+    [InlineData(3)]
+    [InlineData(25)]
+    public void Score_TrackOfAMovingClassBesideAnotherOrOfNothing_IsFalse(double north)
+    {
+        MissionScore score = ScoreWalks(
+            Walk(1, s => s <= 20 ? 1 : null), Walk(2, s => s <= 15 ? north : null), Walk(3, _ => 100));
+        Assert.Equal([2], score.FalseTracks.Select(t => t.Id));
+        Assert.Equal((2, 0), (score.Found, score.IdentitySwitches));
+    }
+
+    // Two that pass each other within the gate.
+    [Fact]
+    public void Score_TracksThatPassEachOther_AreNoIdentitySwitch()
+    {
+        MissionScore score = ScoreWalks(Walk(1, s => s is 8 or 9 ? 96 : 0), Walk(2, _ => 100));
+        Assert.Equal((2, 0, 0), (score.Found, score.FalseTracks.Count, score.IdentitySwitches));
+    }
+
+    private static MissionScore ScoreWalks(params (TargetTrack Track, TrackPath Path)[] walks) => TargetScoring.Score(
+        new TargetTruth(Home, TwoReds()),
+        new FlightRecord
+        {
+            Tracks = new TrackList(TimeSpan.Zero, [.. walks.Select(w => w.Track)]),
+            MovingTrackPaths = [.. walks.Select(w => w.Path)],
+        },
+        null);
+
+    private static TruthTarget[] TwoReds()
+        => [Target(DefaultTargetClasses.Red, 0, 0), Target(DefaultTargetClasses.Red, 100, 0)];
+
+    // Where it is to the north in each second; null while it is not seen.
+    private static (TargetTrack, TrackPath) Walk(int id, Func<int, double?> north)
+    {
+        TrackPoint[] points =
+        [
+            .. Enumerable.Range(0, 31).Where(s => north(s) is not null).Select(s => new TrackPoint(
+                TimeSpan.FromSeconds(s), Frame.ToGeodetic(new NedPosition(north(s)!.Value, 0, 0)))),
+        ];
+        var track = new TargetTrack
+        {
+            Id = id,
+            State = TrackState.Confirmed,
+            Class = DefaultTargetClasses.Red,
+            Motion = TargetMotion.Walking,
+            Position = points[points.Length - 1].Position,
+            Covariance = OneMetre,
+            Time = points[points.Length - 1].Time,
+            FirstSeen = points[0].Time,
+            LastSeen = points[points.Length - 1].Time,
+        };
+        return (track, new TrackPath(id, points));
+    }
+
     private static MissionScore Score(IReadOnlyList<TruthTarget> targets, IReadOnlyList<TargetTrack> tracks)
         => TargetScoring.Score(new TargetTruth(Home, targets), tracks);
 
