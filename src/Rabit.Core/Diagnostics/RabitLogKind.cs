@@ -18,6 +18,6 @@ public enum RabitLogKind
     /// <summary>A manager's own words, by <see cref="RabitManager.Log"/>.</summary>
     Manager,
 
-    /// <summary>A manager was found to hang, or has return.</summary>
+    /// <summary>A manager was found to hang, or has returned.</summary>
     Hang,
 }

@@ -149,6 +149,7 @@ internal sealed class HangWatch(RabitManager manager, ManagerRun run)
         }
 
         run.Log.Write(
-            RabitLogKind.Hang, manager.Name, FormattableString.Invariant($"has return, at {now.TotalSeconds:0.000} s"));
+            RabitLogKind.Hang, manager.Name,
+            FormattableString.Invariant($"has returned, at {now.TotalSeconds:0.000} s"));
     }
 }
