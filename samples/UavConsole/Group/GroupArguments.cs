@@ -48,7 +48,7 @@ internal static class GroupArguments
     public static Option<double?> LayerSpacing { get; } = new("--layer-spacing")
     {
         Description = "From one height layer of a group to the next, 19 to 100 m, the same for all; with --vehicles or "
-            + "--group-layer; the lowest is at the height of the mission then. 20 without it.",
+            + "--group-layer: 15 m of separation, and the errors of heights. 20 without it.",
         HelpName = "METRES",
         CustomParser = ParseSpacing,
     };
@@ -120,7 +120,7 @@ internal static class GroupArguments
             && metres is >= GroupOptions.MinLayerSpacingMetres and <= 100)
             return metres;
         result.AddError($"--layer-spacing {text}: it must be a number of metres from "
-            + $"{GroupOptions.MinLayerSpacingMetres} to 100.");
+            + $"{GroupOptions.MinLayerSpacingMetres} to 100: 15 m of separation, and the errors of heights.");
         return null;
     }
 

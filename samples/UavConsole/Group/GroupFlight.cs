@@ -113,7 +113,7 @@ internal sealed class GroupFlight : IDisposable
     private static MissionPlan Lower(MissionPlan mission, ConsoleOptions options)
     {
         double lower = mission.HeightMetres - LowerMetres;
-        bool isLower = options.Vehicles > 2 && options.LayerSpacingMetres is null && lower >= MinLoweredMetres;
+        bool isLower = options.Vehicles > 2 && lower >= MinLoweredMetres;
         return isLower ? mission.WithHeight(lower) : mission;
     }
 

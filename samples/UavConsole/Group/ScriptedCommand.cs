@@ -14,7 +14,8 @@ internal sealed record ScriptedCommand(TimeSpan At, byte Vehicle, OperatorComman
 {
     /// <summary>How one is written.</summary>
     public const string Form = "SECONDS:VEHICLE:COMMAND with the system id of the vehicle or all, and hold, continue, "
-        + "return, land, skip, revisit=TRACK, confirm=TRACK or reject=TRACK";
+        + "return, land, skip, or for one vehicle, by its number of the track, revisit=TRACK, confirm=TRACK or "
+        + "reject=TRACK";
 
     private const double MaxSeconds = 86_400;
     private const int MaxTrack = 1_000_000;

@@ -12,7 +12,7 @@ internal static class FollowText
     /// <param name="followers">System ids of the vehicles that were to follow it, one after the other.</param>
     public static string Of(in FollowTask task, IReadOnlyList<byte> followers)
     {
-        if (task.Result == FollowResult.Rejected)
+        if (task.Result == FollowResult.Rejected && (followers.Count == 0 || task.InView <= TimeSpan.Zero))
             return "no: rejected by the operator";
         if (followers.Count == 0)
             return task.State == FollowState.Closed ? "no: no vehicle could" : "no: none until the end";
@@ -22,6 +22,7 @@ internal static class FollowText
         return task.Result switch
         {
             FollowResult.Followed => $"{by}, {seen}",
+            FollowResult.Rejected => $"{by}, {seen}, then rejected by the operator",
             FollowResult.Lost when task.InView > TimeSpan.Zero => $"{by}, {seen}, then lost",
             FollowResult.Lost => $"no: {by}, which did not find it",
             _ => $"{by} until the end, {seen}",

@@ -43,7 +43,7 @@ public sealed class GroupFlightSummary
             .Where(t => t.State != ValidationState.Closed || t.Validator != 0).ToArray();
         Validations = announced
             .Where((t, i) => HasResult(t)
-                ? !t.IsRejectedByOperator || !announced.Take(i).Any(o => o.IsRejectedByOperator && AreSame(t, o))
+                ? !t.IsRejectedByOperator || !IsElsewhere(announced, i)
                 : !announced.Any(o => HasResult(o) && AreSame(t, o)))
             .ToArray();
         Followings = Vehicles.SelectMany(v => v.Flight.Record.Group.Followings)
@@ -167,6 +167,12 @@ public sealed class GroupFlightSummary
         return Followings.Where(t => Array.Exists(
             links, l => (l.Finder, l.Session, l.Number) == (t.Finder, t.Session, t.Number))).ToArray();
     }
+
+    // Of what the operator rejected the task counts that was awarded before, since that is of its finder; else the first.
+    private static bool IsElsewhere(ValidationTask[] announced, int index) => announced
+        .Where((o, i) => i != index && o.IsRejectedByOperator && AreSame(announced[index], o)
+            && (o.Award > announced[index].Award || (o.Award == announced[index].Award && i < index)))
+        .Any();
 
     private static bool HasResult(in ValidationTask task)
         => task.State == ValidationState.Closed && task.Result != ValidationResult.Unknown;

@@ -60,7 +60,7 @@ internal sealed class MissionSummaryText(TextWriter output, FlightSummary summar
             Line("vehicle at the stop of the program: " + stop);
         Line(string.Format(
             CultureInfo.InvariantCulture,
-            "coverage {0} %, path {1} m, time {2} s, battery used {3} %, landed {4}",
+            "coverage {0} %, path {1} m, motors on for {2} s, battery used {3} %, landed {4}",
             FlightText.Number(mission.CoveragePercent, "0.0"),
             FlightText.Number(mission.FlownMetres, "0"),
             FlightText.Number(mission.FlightTime.TotalSeconds, "0.0"),

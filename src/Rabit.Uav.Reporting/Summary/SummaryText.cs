@@ -79,7 +79,7 @@ public sealed class SummaryText
         double seconds = ((flight.LastUtcMicroseconds - flight.FirstUtcMicroseconds) ?? 0) / 1e6;
         string firmware = flight.Firmware is { } version ? " " + version : string.Empty;
         Line($"{FlightText.Autopilot(autopilot)}{firmware} {flight.VehicleType}, system {flight.SystemId}, component "
-            + $"{flight.ComponentId}, "
+            + $"{flight.ComponentId}, telemetry of "
             + seconds.ToString("0.0", CultureInfo.InvariantCulture) + " s");
         Line("mode changes:");
         foreach (FlightModeChange change in flight.ModeChanges)

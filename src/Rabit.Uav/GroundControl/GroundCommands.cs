@@ -46,7 +46,7 @@ internal static class GroundCommands
     private static bool IsKnown(MavCmd command)
         => command is MavCmd.DoPauseContinue or MavCmd.DoSetRoiLocation or MavCmd.User1;
 
-    private static string ReasonOf(in MavlinkCommand command) => command.Command.ToString();
+    private static string ReasonOf(in MavlinkCommand command) => MavlinkNames.Of(command.Command);
 
     private static OperatorRequest Make(OperatorCommand what, in MavlinkCommand command, string by)
         => new(what, by, ReasonOf(command));

@@ -197,7 +197,7 @@ public sealed partial class MissionControlManager : RabitManager, IMissionOperat
         {
             MissionPhase.Revisiting when flight.IsFollowing => ImagingMode.Follow,
             MissionPhase.Searching or MissionPhase.Revisiting => ImagingMode.Search,
-            MissionPhase.Holding when flight.IsHeldByHealth => command.Mode,
+            MissionPhase.Holding when flight.IsHeldByHealth && command.Mode != ImagingMode.Off => ImagingMode.Search,
             _ => ImagingMode.Off,
         };
         if (command.Mode == mode)

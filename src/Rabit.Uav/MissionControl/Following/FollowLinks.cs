@@ -28,7 +28,10 @@ internal sealed class FollowLinks(FollowBook book)
 
     private static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(3);
 
-    // Another target of the class may be where one that was rejected has gone meanwhile.
+    private const int MaxLinks = 512;
+
+    // Later another target of the class may be where the one that was rejected has gone: it is not followed, but what
+    // it is is for the operator to say.
     private static readonly TimeSpan MaxRejectedAge = TimeSpan.FromSeconds(10);
 
     // Two targets that pass each other are not one.
@@ -41,6 +44,10 @@ internal sealed class FollowLinks(FollowBook book)
     public ImmutableArray<FollowedTrack> Tracks => _links.OrderBy(l => l.Key)
         .Select(l => new FollowedTrack(l.Value.Task.Finder, l.Value.Task.Session, l.Value.Task.Number, l.Key))
         .ToImmutableArray();
+
+    /// <summary>Whether a track is the target of a task that the operator has ended.</summary>
+    public bool IsRejected(int trackId)
+        => _links.TryGetValue(trackId, out FollowEntry? entry) && entry.Task.Result == FollowResult.Rejected;
 
     /// <summary>How targets of a class move; null before one was seen.</summary>
     public TargetMotion? MotionOf(TargetClassName name)
@@ -62,7 +69,7 @@ internal sealed class FollowLinks(FollowBook book)
             if (track.Motion == TargetMotion.Standing || !flight.Mission.IsTarget(track.Class))
                 continue;
             if (track.Decision == TargetDecision.Rejected)
-                EndRejected(track, own, flight.Now);
+                EndRejected(flight, track, own);
             if (track.State != TrackState.Confirmed)
                 continue;
             _motions[track.Class] = track.Motion;
@@ -71,8 +78,8 @@ internal sealed class FollowLinks(FollowBook book)
                 entry = book.Announce(TaskOf(track), own, flight.Now);
             if (entry is null)
                 continue;
-            _links[track.Id] = entry;
-            if (entry.Task.Result == FollowResult.Rejected)
+            AddLink(track.Id, entry);
+            if (entry.Task.Result == FollowResult.Rejected && flight.Now - entry.Task.Time <= MaxRejectedAge)
                 flight.OperatorActions.RejectToo(flight, track);
             Refresh(entry, track);
         }
@@ -108,15 +115,26 @@ internal sealed class FollowLinks(FollowBook book)
             ?? Nearest(flight, track, place, FollowResult.Rejected);
     }
 
-    // The operator has rejected it: it ends for all.
-    private void EndRejected(TargetTrack track, byte own, TimeSpan now)
+    // The operator has rejected it: it ends for all, also where another vehicle announces it afterwards.
+    private void EndRejected(MissionFlight flight, TargetTrack track, byte own)
     {
+        bool isSeen = flight.Now - track.LastSeen <= MaxRejectedAge;
+        if (!_links.ContainsKey(track.Id) && isSeen && Link(flight, track) is { } found)
+            AddLink(track.Id, found);
         if (_links.TryGetValue(track.Id, out FollowEntry? entry) && entry.Task.Result != FollowResult.Rejected)
-            entry.Close(own, FollowResult.Rejected, now);
+            entry.Close(own, FollowResult.Rejected, flight.Now);
     }
 
-    // The task of which the target may be there by now: one that is not over, or of a target that was followed, or was
-    // rejected a short time ago.
+    // Where clutter makes track after track the oldest links go.
+    private void AddLink(int trackId, FollowEntry entry)
+    {
+        _links[trackId] = entry;
+        if (_links.Count > MaxLinks)
+            _links.Remove(_links.Keys.Min());
+    }
+
+    // The task of which the target may be there by now: one that is not over, or of a target that was followed or
+    // rejected.
     private FollowEntry? Nearest(MissionFlight flight, TargetTrack track, PlanePoint place, FollowResult result)
     {
         bool isOver = result != FollowResult.None;
@@ -124,9 +142,7 @@ internal sealed class FollowLinks(FollowBook book)
         double least = double.PositiveInfinity;
         foreach (FollowEntry entry in book.Entries)
         {
-            bool isEligible = entry.Task.Result == result
-                && (result != FollowResult.Rejected || flight.Now - entry.Task.Time <= MaxRejectedAge);
-            if (!isEligible || !IsSuch(entry.Task, track.Class, track.MarkerId)
+            if (entry.Task.Result != result || !IsSuch(entry.Task, track.Class, track.MarkerId)
                 || (!isOver && IsShownByAnother(entry, track, flight)))
                 continue;
             double distance = PlaceOf(entry, flight.Plan!.Frame, flight.Now).DistanceTo(place);

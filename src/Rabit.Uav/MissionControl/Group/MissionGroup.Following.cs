@@ -19,6 +19,8 @@ internal sealed partial class MissionGroup
     // A report of our own so far from where the target is expected is one of it.
     private const double OwnReportMetres = 20;
 
+    private const double MinUsableShare = 0.5;
+
     private static readonly TimeSpan MaxOwnReportAge = TimeSpan.FromSeconds(2);
 
     // Others divide again when we are back; until then no lane is begun.
@@ -117,7 +119,10 @@ internal sealed partial class MissionGroup
         if (followed.Entry.Task.Follower != SystemId || followed.Entry.IsOver)
             return;
         followed.Entry.Task.InView = follower.InView;
-        followed.Entry.Close(SystemId, result, flight.Now);
+        if (result == FollowResult.Lost && !SeesEnough(flight) && HasOthers(flight))
+            followed.Entry.GiveBack(SystemId, flight.Now);
+        else
+            followed.Entry.Close(SystemId, result, flight.Now);
     }
 
     /// <summary>We go on with something else; the target is for another vehicle, where it is not done.</summary>
@@ -132,6 +137,9 @@ internal sealed partial class MissionGroup
     public bool IsAwaitingShare(MissionFlight flight)
         => flight.Now - _followEnded < MaxShareWait && _members.Present(flight.Now).Any()
             && _division.ShareOf(SystemId).SystemId == 0;
+
+    // With pictures that cannot be used a target is not seen where it is: one that sees more may follow it.
+    private static bool SeesEnough(MissionFlight flight) => !(flight.Imaging.UsableShare <= MinUsableShare);
 
     // What was awarded to us first, and is not over; also what we follow.
     private FollowEntry? NextEntry
@@ -206,7 +214,7 @@ internal sealed partial class MissionGroup
         if (NextEntry is { } next && next != entry)
             return null;
         if (_own.State != GroupMemberState.Available || !flight.IsFlying || flight.IsFixedWing || flight.Plan is null
-            || MustSearch(flight.Now))
+            || MustSearch(flight.Now) || !SeesEnough(flight))
             return null;
         PlanePoint place = PlaceOf(entry, flight);
         bool isBusy = _validation?.Look is not null;

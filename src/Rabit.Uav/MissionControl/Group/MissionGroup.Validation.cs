@@ -50,6 +50,11 @@ internal sealed partial class MissionGroup
     public bool IsValidated(MissionFlight flight, TargetTrack track)
         => flight.Plan is { } plan && _validation?.IsValidated(track, plan.Frame) == true;
 
+    /// <summary>Whether the operator has rejected a target for the group, here or at another vehicle.</summary>
+    public bool IsRejected(MissionFlight flight, TargetTrack track)
+        => (flight.Plan is { } plan && _validation?.IsRejected(track, SystemId, plan.Frame) == true)
+            || _links?.IsRejected(track.Id) == true;
+
     /// <summary>Begins with the next target that we are to validate.</summary>
     /// <returns>Which, as text; null where there is none.</returns>
     public string? NextValidation(MissionFlight flight)

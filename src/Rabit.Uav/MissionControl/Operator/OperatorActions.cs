@@ -75,10 +75,11 @@ internal sealed class OperatorActions(Func<TrackDecision, bool> decide)
     /// <summary>What the operator rejected at another vehicle is so here, once; ours may say otherwise.</summary>
     public void RejectToo(MissionFlight flight, TargetTrack track)
     {
-        if (track.Decision != TargetDecision.None || !_rejectedAgain.Add(track.Id))
+        if (track.Decision != TargetDecision.None || _rejectedAgain.Contains(track.Id)
+            || !decide(new TrackDecision { TrackId = track.Id, Decision = TargetDecision.Rejected }))
             return;
+        _rejectedAgain.Add(track.Id);
         flight.Log($"track {MissionNumbers.Of(track.Id)} was rejected by the operator of another vehicle");
-        decide(new TrackDecision { TrackId = track.Id, Decision = TargetDecision.Rejected });
     }
 
     /// <summary>The manager ends.</summary>
@@ -164,6 +165,12 @@ internal sealed class OperatorActions(Func<TrackDecision, bool> decide)
             flight.Operator.Refuse("Sensor Fusion takes nothing");
     }
 
+    // What was rejected at one vehicle stays so for the others: they may have acted on it.
+    private static string EffectOf(MissionFlight flight, OperatorRequest request, TargetTrack track)
+        => request.Command == OperatorCommand.Confirm && flight.Group?.IsRejected(flight, track) == true
+            ? "for this vehicle alone: for the group it stays rejected"
+            : string.Empty;
+
     private void FinishDecisions(MissionFlight flight)
     {
         for (int i = 0; i < _decided.Count; i++)
@@ -175,7 +182,7 @@ internal sealed class OperatorActions(Func<TrackDecision, bool> decide)
                 continue;
             _decided.RemoveAt(i--);
             if (isDone)
-                flight.Operator.Answer(request, OperatorOutcome.Accepted, string.Empty);
+                flight.Operator.Answer(request, OperatorOutcome.Accepted, EffectOf(flight, request, track!));
             else
                 flight.Operator.Answer(
                     request, OperatorOutcome.Refused,

@@ -67,6 +67,10 @@ internal sealed class TargetValidation(ushort session, IValidationSender sender,
                 t => t.State == ValidationState.Closed && t.Result != ValidationResult.Unknown
                     && AreSame(TaskOf(track), t, frame));
 
+    /// <summary>Whether the operator has rejected a target, here or at another vehicle.</summary>
+    public bool IsRejected(TargetTrack track, byte ownSystemId, LocalNedFrame frame)
+        => TasksOf(ownSystemId).Any(t => t.IsRejectedByOperator && AreSame(TaskOf(track), t, frame));
+
     /// <summary>
     /// Our tracks of what the operator of another vehicle has rejected: of each target the nearest one of its class.
     /// </summary>
@@ -174,8 +178,9 @@ internal sealed class TargetValidation(ushort session, IValidationSender sender,
         foreach (TargetTrack track in flight.Tracks.Tracks)
         {
             bool isElsewhere = elsewhere.Contains(track);
-            bool isRejected = isElsewhere
-                || track is { Decision: TargetDecision.Rejected, Motion: TargetMotion.Standing };
+            bool isRejected = track.Motion == TargetMotion.Standing
+                && (track.Decision == TargetDecision.Rejected
+                    || (isElsewhere && track.Decision == TargetDecision.None));
             bool isAnnounced = _finder.Find(track.Id) is not null;
             if (isRejected && (isAnnounced || !isElsewhere))
                 _finder.Reject(track.Id, TaskOf(track), ownSystemId, flight.Now);

@@ -159,6 +159,26 @@ public sealed class GroupFollowingTests
         Assert.Equal(1, rig.Rigs.Sum(r => r.Decisions.Count(d => d.Contains("-> Revisiting"))));
     }
 
+    // Before it is confirmed no task of it is there; another vehicle announces it afterwards.
+    [Fact]
+    public void Target_OperatorRejectsItsTentativeTrack_IsFollowedByNone()
+    {
+        using GroupRig rig = Open(2, followSeconds: 60);
+        Add(rig, Walker(0.5));
+        int? first = null;
+        Assert.True(
+            rig.RunUntil(
+                () => (first = Enumerable.Range(0, 2).Where(i => rig.Rigs[i].Vehicle.Tracks.Count > 0)
+                    .Select(i => (int?)i).FirstOrDefault()) is not null,
+                300),
+            rig.Story);
+        Assert.Equal(TrackState.Tentative, Assert.Single(rig.Rigs[first!.Value].Vehicle.Tracks).State);
+        rig.Rigs[first.Value].Manager.Reject(101, "test", "a dog");
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.All(Tasks(rig), t => Assert.Equal(FollowResult.Rejected, t.Result));
+        Assert.DoesNotContain("to follow moving target", rig.Rigs[first.Value].Story, StringComparison.Ordinal);
+    }
+
     // Nothing is kept from being searched any more.
     [Fact]
     public void Target_NoBudgetAndAllIsSeen_IsFollowed()

@@ -210,6 +210,36 @@ public sealed class GroupValidationTests
         Assert.All(rig.Rigs, r => Assert.Equal(0, r.Status.TracksConfirmed));
     }
 
+    [Fact]
+    public void Target_OperatorOfAnotherConfirmedItBefore_StaysConfirmedThere()
+    {
+        using GroupRig rig = Open(3);
+        Assert.True(rig.RunUntil(() => Validated(rig).Count == 1, 900), rig.Story);
+        ValidationTask task = Validated(rig)[0];
+        rig.Rigs[task.Validator - 1].Manager.Confirm(1, "test", "seen by eye");
+        rig.Run(1);
+        rig.Rigs[task.Finder - 1].Manager.Reject(1, "test", "a bin");
+        rig.Run(5);
+        Assert.Equal(1, rig.Rigs[task.Validator - 1].Status.TracksConfirmed);
+        Assert.Equal(0, rig.Rigs[task.Finder - 1].Status.TracksConfirmed);
+        Assert.DoesNotContain(Tasks(rig, task.Finder - 1), t => t.Finder != task.Finder && t.IsRejectedByOperator);
+    }
+
+    [Fact]
+    public void Target_RejectedAndThenConfirmed_IsConfirmedForThatVehicleAloneAndTheAnswerSaysSo()
+    {
+        using GroupRig rig = Open(2);
+        Assert.True(rig.RunUntil(() => Validated(rig).Count == 1, 900), rig.Story);
+        IMissionOperator op = rig.Rigs[Validated(rig)[0].Finder - 1].Manager;
+        op.Reject(1, "test", "a bin");
+        rig.Run(2);
+        OperatorRequest confirm = op.Confirm(1, "test", "no bin");
+        rig.Run(2);
+        Assert.Equal(OperatorOutcome.Accepted, confirm.Outcome);
+        Assert.Equal("for this vehicle alone: for the group it stays rejected", confirm.Answer);
+        Assert.True(Assert.Single(Validated(rig)).IsRejectedByOperator);
+    }
+
     private static int? Finder(GroupRig rig) => Enumerable.Range(0, rig.Rigs.Count)
         .Where(i => Tasks(rig, i).Any(t => t.Finder == i + 1)).Select(i => (int?)i).FirstOrDefault();
 
