@@ -68,8 +68,8 @@ public sealed class GroupTests : IDisposable
     [InlineData("--vehicles 0", "--vehicles 0: it must be a number from 1 to 8.")]
     [InlineData("--vehicles 3 --web", "--web is for one vehicle; it does not go with --vehicles.")]
     [InlineData("--vehicles 2 --link udpin:127.0.0.1:14599", "--vehicles is for the simulation;")]
-    [InlineData("--vehicles 2 --layer-spacing 18", "--layer-spacing 18: it must be a number of metres from 19 to 100: 15 m "
-        + "of separation, and the errors of heights.")]
+    [InlineData("--vehicles 2 --layer-spacing 18", "--layer-spacing 18: it must be a number of metres from 19 to 100: "
+        + "15 m of separation, and the errors of heights.")]
     [InlineData("--layer-spacing 20", "--layer-spacing needs --vehicles or --group-layer.")]
     [InlineData("--command 5:1:hold", "--command needs --vehicles:")]
     [InlineData("--vehicles 2 --command 5:0:hold", "--command 5:0:hold: it must be SECONDS:VEHICLE:COMMAND with")]

@@ -168,7 +168,8 @@ public sealed class GroupFlightSummary
             links, l => (l.Finder, l.Session, l.Number) == (t.Finder, t.Session, t.Number))).ToArray();
     }
 
-    // Of what the operator rejected the task counts that was awarded before, since that is of its finder; else the first.
+    // Of what the operator rejected the task counts that was awarded before, since that is of its finder; else the
+    // first.
     private static bool IsElsewhere(ValidationTask[] announced, int index) => announced
         .Where((o, i) => i != index && o.IsRejectedByOperator && AreSame(announced[index], o)
             && (o.Award > announced[index].Award || (o.Award == announced[index].Award && i < index)))

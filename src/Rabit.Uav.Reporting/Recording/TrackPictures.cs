@@ -13,18 +13,33 @@ namespace Rabit.Uav.Reporting;
 internal sealed class TrackPictures(
     Func<IReadOnlyList<ImageChip>> imageChips, Func<long, PictureOverview?>? findOverview = null)
 {
+    /// <summary>
+    /// Of so many tracks that are not confirmed: of one that is confirmed later, where there are more, those that the
+    /// manager still has then. Clutter makes thousands of them.
+    /// </summary>
+    public const int MaxTentative = 100;
+
     private readonly Dictionary<int, Kept> _kept = [];   // by the id of the track
 
     /// <summary>Asks for image chips only when the best pictures of a track have become others.</summary>
     public void Take(TrackList tracks)
     {
+        ForgetGone(tracks);
+        int tentative = _kept.Values.Count(k => !k.WasConfirmed);
         IReadOnlyList<ImageChip>? chips = null;
         foreach (TargetTrack track in tracks.Tracks)
         {
             if (track.BestPictureNumber < 0)
                 continue;
+            bool isTentative = track.State == TrackState.Tentative;
             if (!_kept.TryGetValue(track.Id, out Kept? kept))
+            {
+                if (isTentative && ++tentative > MaxTentative)
+                    continue;
                 _kept[track.Id] = kept = new Kept();
+            }
+
+            kept.WasConfirmed |= !isTentative;
             if (!kept.Wants(track))
                 continue;
             chips ??= imageChips();
@@ -39,6 +54,17 @@ internal sealed class TrackPictures(
     public IReadOnlyList<PictureOverview> OverviewsToArray()
         => _kept.Values.Select(k => k.Overview).OfType<PictureOverview>().ToArray();
 
+    // What was never confirmed and is gone was clutter.
+    private void ForgetGone(TrackList tracks)
+    {
+        if (_kept.Count <= tracks.Tracks.Length)
+            return;
+        var there = new HashSet<int>(tracks.Tracks.Select(t => t.Id));
+        int[] gone = _kept.Where(k => !k.Value.WasConfirmed && !there.Contains(k.Key)).Select(k => k.Key).ToArray();
+        foreach (int id in gone)
+            _kept.Remove(id);
+    }
+
     private sealed class Kept
     {
         private TrackPicture[] _wanted = [];
@@ -47,6 +73,8 @@ internal sealed class TrackPictures(
         public IReadOnlyList<ImageChip> Chips => _chips;
 
         public PictureOverview? Overview { get; private set; }
+
+        public bool WasConfirmed { get; set; }
 
         public bool Wants(TargetTrack track) => !PicturesOf(track).SequenceEqual(_wanted);
 

@@ -23,8 +23,8 @@ public class MavlinkNamesTests
     {
         (int Value, string Name)[] entries = Directory
             .GetFiles(Path.Combine(TestData.Folder, "..", "dialects"), "*.xml")
-            .SelectMany(f => XDocument.Load(f).Descendants("enum").Where(e => (string)e.Attribute("name")! == "MAV_CMD"))
-            .SelectMany(e => e.Elements("entry"))
+            .SelectMany(f => XDocument.Load(f).Descendants("enum"))
+            .Where(e => (string)e.Attribute("name")! == "MAV_CMD").SelectMany(e => e.Elements("entry"))
             .Select(e => ((int)e.Attribute("value")!, ((string)e.Attribute("name")!).Substring("MAV_CMD_".Length)))
             .Where(e => Enum.IsDefined(typeof(MavCmd), (MavCmd)e.Item1)).ToArray();
         Assert.True(entries.Length > 150, $"{entries.Length} commands");

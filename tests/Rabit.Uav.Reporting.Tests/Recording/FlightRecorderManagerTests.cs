@@ -233,7 +233,12 @@ public sealed class FlightRecorderManagerTests : IDisposable
     };
 
     private static TrackList TracksOf(params (int Id, long Picture)[] tracks)
-        => new(TimeSpan.Zero, tracks.Select(t => new TargetTrack { Id = t.Id, BestPictureNumber = t.Picture }));
+        => new(TimeSpan.Zero, tracks.Select(t => new TargetTrack
+        {
+            Id = t.Id,
+            State = TrackState.Confirmed,
+            BestPictureNumber = t.Picture,
+        }));
 
     private static LinkFrame FrameOf(int index) => new()
     {

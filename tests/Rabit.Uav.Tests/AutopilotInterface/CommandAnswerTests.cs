@@ -92,7 +92,8 @@ public class CommandAnswerTests
             };
             VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.Arm);
             Assert.Equal(
-                (VehicleCommandOutcome.Refused, $"COMPONENT_ARM_DISARM: {MavlinkNames.Of(result)} (Arm: Compass not calibrated)"),
+                (VehicleCommandOutcome.Refused,
+                    $"COMPONENT_ARM_DISARM: {MavlinkNames.Of(result)} (Arm: Compass not calibrated)"),
                 (answer.Outcome, answer.Text));
             Assert.Equal(2, copter.Received.Count);
         }
