@@ -230,7 +230,7 @@ public sealed class GroupValidationTests
     {
         using GroupRig rig = Open(2);
         Assert.True(rig.RunUntil(() => Validated(rig).Count == 1, 900), rig.Story);
-        IMissionOperator op = rig.Rigs[Validated(rig)[0].Finder - 1].Manager;
+        MissionControlManager op = rig.Rigs[Validated(rig)[0].Finder - 1].Manager;
         op.Reject(1, "test", "a bin");
         rig.Run(2);
         OperatorRequest confirm = op.Confirm(1, "test", "no bin");
