@@ -27,7 +27,7 @@ internal static class GroupSummaryText
         output.WriteLine(string.Format(
             CultureInfo.InvariantCulture, "{0} of {1} targets found, {2} false{3}{4}", score.Found,
             score.Targets.Count, score.FalseTracks.Count,
-            SwitchesOf(score),
+            FlightText.IdentitySwitches(score),
             score.Found == 0 ? string.Empty : $"; {FlightText.Number(score.RmseMetres, "0.0")} m RMS"));
         foreach (ValidationTask task in summary.Validations)
             output.WriteLine(Of(task, summary.PositionOf(task)));
@@ -49,13 +49,6 @@ internal static class GroupSummaryText
         CultureInfo.InvariantCulture,
         "vehicles {0} and {1} were {2:0.0} m apart over ground and {3:0.0} m in height at {4}",
         pair.First + 1, pair.Second + 1, pair.HorizontalMetres, pair.VerticalMetres, FlightText.Clock(pair.Time));
-
-    private static string SwitchesOf(MissionScore score) => score.IdentitySwitches switch
-    {
-        0 => string.Empty,
-        1 => ", 1 identity switch",
-        _ => $", {FlightText.Number((long)score.IdentitySwitches)} identity switches",
-    };
 
     private static string At(TargetClassName name, GeodeticPosition position) => string.Format(
         CultureInfo.InvariantCulture, "{0} at {1:0.000000} {2:0.000000}", name, position.Latitude.Degrees,

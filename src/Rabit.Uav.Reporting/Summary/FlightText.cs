@@ -77,6 +77,21 @@ public static class FlightText
             + $"° ±{Number(Math.Ceiling(bearing.TotalSigma.Degrees), "0")}°";
     }
 
+    /// <summary>", 2 identity switches", to follow the number of false tracks; empty for none.</summary>
+    /// <param name="score">The score.</param>
+    /// <exception cref="ArgumentNullException">It is null.</exception>
+    public static string IdentitySwitches(MissionScore score)
+    {
+        if (score is null)
+            throw new ArgumentNullException(nameof(score));
+        return score.IdentitySwitches switch
+        {
+            0 => string.Empty,
+            1 => ", 1 identity switch",
+            _ => $", {Number((long)score.IdentitySwitches)} identity switches",
+        };
+    }
+
     /// <summary>The short name of a phase.</summary>
     /// <param name="phase">The phase.</param>
     public static string Phase(MissionPhase phase) => phase switch

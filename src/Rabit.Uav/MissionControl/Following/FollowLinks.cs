@@ -38,6 +38,9 @@ internal sealed class FollowLinks(FollowBook book)
     private static readonly TimeSpan SameTime = TimeSpan.FromSeconds(3);
 
     private readonly Dictionary<int, FollowEntry> _links = [];
+
+    // Tracks that began where a rejected target may have gone.
+    private readonly HashSet<int> _perhapsOthers = [];
     private readonly Dictionary<TargetClassName, TargetMotion> _motions = [];
 
     /// <summary>All that were linked, in the order of the tracks.</summary>
@@ -78,9 +81,9 @@ internal sealed class FollowLinks(FollowBook book)
                 entry = book.Announce(TaskOf(track), own, flight.Now);
             if (entry is null)
                 continue;
+            if (entry.Task.Result == FollowResult.Rejected)
+                RejectToo(flight, track, entry);
             AddLink(track.Id, entry);
-            if (entry.Task.Result == FollowResult.Rejected && flight.Now - entry.Task.Time <= MaxRejectedAge)
-                flight.OperatorActions.RejectToo(flight, track);
             Refresh(entry, track);
         }
 
@@ -123,6 +126,16 @@ internal sealed class FollowLinks(FollowBook book)
             AddLink(track.Id, found);
         if (_links.TryGetValue(track.Id, out FollowEntry? entry) && entry.Task.Result != FollowResult.Rejected)
             entry.Close(own, FollowResult.Rejected, flight.Now);
+    }
+
+    // What we knew as its target before is it, however late the reject reaches us.
+    private void RejectToo(MissionFlight flight, TargetTrack track, FollowEntry entry)
+    {
+        bool isLinked = _links.TryGetValue(track.Id, out FollowEntry? before) && before == entry;
+        if (!isLinked && flight.Now - entry.Task.Time > MaxRejectedAge)
+            _perhapsOthers.Add(track.Id);
+        if (!_perhapsOthers.Contains(track.Id))
+            flight.OperatorActions.RejectToo(flight, track);
     }
 
     // Where clutter makes track after track the oldest links go.

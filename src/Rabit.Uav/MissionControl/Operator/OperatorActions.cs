@@ -63,24 +63,15 @@ internal sealed class OperatorActions(Func<TrackDecision, bool> decide)
             return;
         foreach (TargetTrack track in flight.Tracks.Tracks)
         {
-            if (track.Decision != TargetDecision.None || track.State != TrackState.Confirmed
-                || !progress.RejectedTargets.Any(r => ProgressTargets.AreSame(r, track))
-                || !_rejectedAgain.Add(track.Id))
-                continue;
-            flight.Log($"track {MissionNumbers.Of(track.Id)} was rejected on an earlier flight");
-            decide(new TrackDecision { TrackId = track.Id, Decision = TargetDecision.Rejected });
+            if (track.State == TrackState.Confirmed
+                && progress.RejectedTargets.Any(r => ProgressTargets.AreSame(r, track)))
+                RejectOnce(flight, track, "on an earlier flight");
         }
     }
 
     /// <summary>What the operator rejected at another vehicle is so here, once; ours may say otherwise.</summary>
     public void RejectToo(MissionFlight flight, TargetTrack track)
-    {
-        if (track.Decision != TargetDecision.None || _rejectedAgain.Contains(track.Id)
-            || !decide(new TrackDecision { TrackId = track.Id, Decision = TargetDecision.Rejected }))
-            return;
-        _rejectedAgain.Add(track.Id);
-        flight.Log($"track {MissionNumbers.Of(track.Id)} was rejected by the operator of another vehicle");
-    }
+        => RejectOnce(flight, track, "by the operator of another vehicle");
 
     /// <summary>The manager ends.</summary>
     public void Close(MissionFlight flight)
@@ -89,6 +80,16 @@ internal sealed class OperatorActions(Func<TrackDecision, bool> decide)
             flight.Operator.Answer(request, OperatorOutcome.Refused, "the program ends");
         _decided.Clear();
         RefusePlanned(flight, "the program ends");
+    }
+
+    // What Sensor Fusion had no room for is tried again.
+    private void RejectOnce(MissionFlight flight, TargetTrack track, string how)
+    {
+        if (track.Decision != TargetDecision.None || _rejectedAgain.Contains(track.Id)
+            || !decide(new TrackDecision { TrackId = track.Id, Decision = TargetDecision.Rejected }))
+            return;
+        _rejectedAgain.Add(track.Id);
+        flight.Log($"track {MissionNumbers.Of(track.Id)} was rejected {how}");
     }
 
     private static void TakeArea(MissionFlight flight, OperatorRequest request)

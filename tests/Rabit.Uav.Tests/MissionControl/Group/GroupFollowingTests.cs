@@ -159,6 +159,25 @@ public sealed class GroupFollowingTests
         Assert.Equal(1, rig.Rigs.Sum(r => r.Decisions.Count(d => d.Contains("-> Revisiting"))));
     }
 
+    // It is in view of both; only one receives the operator.
+    [Fact]
+    public void Target_RejectedBehindAPartition_TheTrackOfTheOtherIsRejectedAfterIt()
+    {
+        using GroupRig rig = Open(2, followSeconds: 600);
+        Add(rig, Walker(0.5));
+        Assert.True(rig.RunUntil(() => Following(rig).Any(i => rig.Rigs[i].Vehicle.Sees(0)), 300), rig.Story);
+        int other = 1 - Following(rig)[0];
+        Assert.True(rig.RunUntil(() => rig.Rigs[other].Status.TracksConfirmed == 1, 400), rig.Story);
+        rig.Run(2);
+        rig.Reaches = (_, _) => false;
+        rig.Rigs[other].Manager.Reject(101, "test", "a dog");
+        rig.Run(25);
+        rig.Reaches = (_, _) => true;
+        rig.Run(5);
+        Assert.Empty(Following(rig));
+        Assert.Equal(0, rig.Rigs[1 - other].Status.TracksConfirmed);
+    }
+
     // Before it is confirmed no task of it is there; another vehicle announces it afterwards.
     [Fact]
     public void Target_OperatorRejectsItsTentativeTrack_IsFollowedByNone()
