@@ -35,8 +35,8 @@ internal static class FlatnessCheck
         List<string> grown, string what, ProcessState[] before, ProcessState[] after, Func<ProcessState, long> value,
         long allowed)
     {
-        // The lowest: threads of a run that has ended go on to exit for a moment (decision 0066); what is left behind is
-        // in each state.
+        // The lowest: threads of a run that has ended go on to exit for a moment (decision 0066); what is left behind
+        // is in each state.
         long first = before.Min(value);
         long last = after.Min(value);
         if (last - first > allowed)

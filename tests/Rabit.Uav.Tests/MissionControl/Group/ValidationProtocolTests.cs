@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
@@ -150,6 +151,32 @@ public sealed class ValidationProtocolTests
                 $"seed {seed}");
             Assert.Equal(network.Shown, network.Task.Result);
             Assert.Single(network.Finished);
+        }
+    }
+
+    // An older state that comes after it, or twice, changes nothing.
+    [Fact]
+    public void Reject_AfterTheResultAndMessagesComeLate_StaysOnceItIsKnown()
+    {
+        for (int seed = 1; seed <= 50; seed++)
+        {
+            var network = new ValidationNetwork(3, seed) { MaxDelaySeconds = 2, Duplicates = 0.3 };
+            network.Announce();
+            Assert.True(network.RunUntil(() => network.Task.State == ValidationState.Closed, 120), $"seed {seed}");
+            network.Run(0.5);
+            network.Finder.Reject(1, network.Task, ownSystemId: 1, TimeSpan.FromSeconds(network.Seconds));
+            var known = new HashSet<int>();
+            network.RunUntil(
+                () =>
+                {
+                    int[] rejected = new[] { 1, 2 }
+                        .Where(i => network.BidderOf(i).Tasks.Single().IsRejectedByOperator).ToArray();
+                    Assert.True(known.IsSubsetOf(rejected), $"seed {seed}, {network.Seconds} s");
+                    known.UnionWith(rejected);
+                    return false;
+                },
+                10);
+            Assert.Equal(2, known.Count);
         }
     }
 
