@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
+using System.IO;
 using System.Linq;
 using Rabit.Links;
 using Rabit.Uav.Communications;
@@ -153,7 +154,21 @@ internal static class CommandLine
 
     static CommandLine() => Autopilot.AcceptOnlyFromAmong("ardupilot", "px4");
 
-    public static RootCommand Create(Func<ConsoleOptions, int> run)
+    /// <summary>Reads a command line and does what it asks for.</summary>
+    /// <param name="arguments">As the program got them.</param>
+    /// <param name="errors">Where a fault is written: one line.</param>
+    /// <param name="run">Gets what was asked for, and where it writes faults; returns the exit code.</param>
+    /// <returns>The exit code.</returns>
+    public static int Run(string[] arguments, TextWriter errors, Func<ConsoleOptions, TextWriter, int> run)
+    {
+        ParseResult parsed = Create(errors, run).Parse(arguments);
+        return parsed.Errors.Count > 0
+            ? Refuse([.. parsed.Errors.Select(e => e.Message), "(--help shows the options)"], errors)
+            : parsed.Invoke();
+    }
+
+    /// <inheritdoc cref="Run"/>
+    public static RootCommand Create(TextWriter errors, Func<ConsoleOptions, TextWriter, int> run)
     {
         var command = new RootCommand(
             "Rabit's managers fly a search: a simulated one, or with a real vehicle; or they observe a flight, live or "
@@ -174,17 +189,16 @@ internal static class CommandLine
             Given given = Merge(result, faults);
             if (faults.Count == 0)
                 faults.AddRange(FindFaults(result, given));
-            return faults.Count > 0 ? Refuse(faults) : run(Read(result, given));
+            return faults.Count > 0 ? Refuse(faults, errors) : run(Read(result, given), errors);
         });
         return command;
     }
 
-    /// <summary>Says what is wrong, on one line.</summary>
-    /// <returns>The exit code.</returns>
-    public static int Refuse(IEnumerable<string> faults)
+    // Says what is wrong, on one line.
+    private static int Refuse(IEnumerable<string> faults, TextWriter errors)
     {
         string line = string.Join(" ", faults).Replace("\r", string.Empty).Replace("\n", " ");
-        Console.Error.WriteLine("UavConsole: " + line);
+        errors.WriteLine("UavConsole: " + line);
         return BadInput;
     }
 

@@ -27,12 +27,15 @@ internal static class FlightRun
     // Longer than any battery of the simulation lasts: no run may hang.
     private static readonly TimeSpan MaxSimulation = TimeSpan.FromMinutes(40);
 
-    public static int Run(ConsoleOptions options)
+    /// <param name="options">What was asked for.</param>
+    /// <param name="errors">Where a fault is written: one line each.</param>
+    /// <returns>The exit code.</returns>
+    public static int Run(ConsoleOptions options, TextWriter errors)
     {
         if (options.AbandonedStateFile is not null)
-            return AbandonedRun.Run(options);
+            return AbandonedRun.Run(options, errors);
         if (options.Vehicles > 1)
-            return GroupRun.Run(options);
+            return GroupRun.Run(options, errors);
         Flight? flight = null;
         RunFiles? files = null;
         WebView? web = null;
@@ -47,17 +50,17 @@ internal static class FlightRun
         {
             web?.Dispose();
             flight?.Dispose();
-            Console.Error.WriteLine("UavConsole: " + FirstLine(e.Message));
+            WriteError(errors, e.Message);
             return BadInput;
         }
 
         using (flight)
         using (files)
         using (web)
-            return Fly(flight, files, web, options);
+            return Fly(flight, files, web, options, errors);
     }
 
-    private static int Fly(Flight flight, RunFiles files, WebView? web, ConsoleOptions options)
+    private static int Fly(Flight flight, RunFiles files, WebView? web, ConsoleOptions options, TextWriter errors)
     {
         // The reactor takes the first Ctrl-C while it runs. Neither a second one nor one that comes late may cut the
         // summary off. Ctrl-\ keeps its meaning.
@@ -76,7 +79,7 @@ internal static class FlightRun
         foreach (string? loss in losses)
         {
             if (loss is not null)
-                WriteError(loss);
+                WriteError(errors, loss);
         }
 
         return losses.Any(l => l is not null) ? BadInput : summary.ExitCode;
@@ -139,11 +142,11 @@ internal static class FlightRun
         return file.Write(content.ToArray());
     }
 
-    private static void WriteError(string text)
+    private static void WriteError(TextWriter errors, string text)
     {
         try
         {
-            Console.Error.WriteLine("UavConsole: " + FirstLine(text));
+            errors.WriteLine("UavConsole: " + FirstLine(text));
         }
         catch (IOException)
         {

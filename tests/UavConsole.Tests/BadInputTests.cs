@@ -99,6 +99,21 @@ public sealed class BadInputTests : IDisposable
     public void CommandLine_BadInput_IsOneLineAndExitCode2(string arguments, string expected)
         => AssertRefused(expected, arguments.Split(' '));
 
+    // One of each place that refuses: the parser, the options together, the flight, the flight of a group.
+    [Theory]
+    [InlineData("--bogus", "'--bogus'")]
+    [InlineData("--moving 3 --targets 2", "--moving is more than there are targets")]
+    [InlineData("--progress /nowhere/p.json", "--progress /nowhere/p.json cannot be written: ")]
+    [InlineData("--vehicles 8", "vehicle 6: Mission Control: Mission in layer 5, 100.0 m above layer 0: heightMetres ")]
+    public void Program_BadInput_WritesOneLineToStandardErrorAndNothingElse(string arguments, string expected)
+    {
+        using ConsoleProcess process = ConsoleProcess.RunIn(_log.Folder, out int exitCode, arguments.Split(' '));
+        Assert.Equal(2, exitCode);
+        Assert.Contains(expected, Assert.Single(process.Errors));
+        Assert.Empty(process.Output);
+        Assert.Equal([_log.Path], Directory.GetFiles(_log.Folder));
+    }
+
     [Fact]
     public void Mission_HomeFarFromTheArea_IsSaidBeforeTheStart()
     {
@@ -268,13 +283,10 @@ public sealed class BadInputTests : IDisposable
         IEnumerable<string> all = arguments.Contains("--summary") || arguments.Last() == "--link"
             ? arguments
             : arguments.Concat(["--summary", _summary]);
-        using ConsoleProcess process = ConsoleProcess.Run(out int exitCode, all.ToArray());
 
-        string line = Assert.Single(process.Errors);
+        string line = Assert.Single(CommandLineRun.Refuse(all.ToArray()));
         Assert.StartsWith("UavConsole: ", line, StringComparison.Ordinal);
         Assert.Contains(expected, line);
-        Assert.Equal(2, exitCode);
-        Assert.Empty(process.Output);
         Assert.False(File.Exists(_summary), "It leaves a summary behind.");
     }
 }

@@ -92,9 +92,11 @@ public sealed class ConfigFileTests : IDisposable
     [Fact]
     public void File_OfAReplay_IsPlayed()
     {
-        using ConsoleProcess process = Run(
-            $$"""{ "Uav": { "Links": [ "tlog:{{Flight}}?speed=max" ], "Health": { "BatteryLowFraction": 0.4 } } }""",
-            out int exitCode, "--headless");
+        File.WriteAllText(
+            Config,
+            $$"""{ "Uav": { "Links": [ "tlog:{{Flight}}?speed=max" ], "Health": { "BatteryLowFraction": 0.4 } } }""");
+        using ConsoleProcess process = ConsoleProcess.RunIn(
+            _folder, out int exitCode, "--config", Config, "--headless");
 
         Assert.True(exitCode == 0, process.ToString());
         Assert.Contains(process.Output, l => l.Contains("ardupilot-flight.tlog"));
@@ -122,14 +124,13 @@ public sealed class ConfigFileTests : IDisposable
     [InlineData(null, "", "--config FILE cannot be read: ")]
     public void File_Wrong_IsOneLineWithFileAndKey(string? text, string arguments, string expected)
     {
-        using ConsoleProcess process = Run(
-            text, out int exitCode,
-            arguments.Replace("MISSION", Mission).Split([' '], StringSplitOptions.RemoveEmptyEntries));
+        if (text is not null)
+            File.WriteAllText(Config, text);
+        string[] given = arguments.Replace("MISSION", Mission).Split([' '], StringSplitOptions.RemoveEmptyEntries);
 
-        Assert.True(exitCode == 2, process.ToString());
         Assert.Contains(
             expected.Replace("FILE: Uav", Config + ": Uav").Replace("--config FILE", "--config " + Config),
-            Assert.Single(process.Errors));
+            Assert.Single(CommandLineRun.Refuse(["--config", Config, .. given])));
     }
 
     private string Config => Path.Combine(_folder, "flight.json");
@@ -153,20 +154,6 @@ public sealed class ConfigFileTests : IDisposable
     private ConsoleOptions Read(string text, params string[] arguments)
     {
         File.WriteAllText(Config, text);
-        ConsoleOptions? read = null;
-        int exitCode = CommandLine.Create(options =>
-        {
-            read = options;
-            return 0;
-        }).Parse(["--config", Config, .. arguments]).Invoke();
-        Assert.Equal(0, exitCode);
-        return read!;
-    }
-
-    private ConsoleProcess Run(string? text, out int exitCode, params string[] arguments)
-    {
-        if (text is not null)
-            File.WriteAllText(Config, text);
-        return ConsoleProcess.RunIn(_folder, out exitCode, ["--config", Config, .. arguments]);
+        return CommandLineRun.Read(["--config", Config, .. arguments]);
     }
 }

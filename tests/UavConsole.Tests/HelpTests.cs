@@ -28,11 +28,11 @@ public sealed class HelpTests
     [InlineData("--px4-events", "--link")]
     public void Description_OptionThatNeedsAnother_NamesIt(string option, string needed)
         => Assert.Contains(
-            needed, CommandLine.Create(_ => 0).Options.Single(o => o.Name == option).Description);
+            needed, CommandLineRun.Create().Options.Single(o => o.Name == option).Description);
 
     [Fact]
     public void Description_EveryOption_IsASentence()
         => Assert.All(
-            CommandLine.Create(_ => 0).Options.Where(o => o.Name is not "--help" and not "--version"),
+            CommandLineRun.Create().Options.Where(o => o.Name is not "--help" and not "--version"),
             (Option o) => Assert.EndsWith(".", o.Description));
 }

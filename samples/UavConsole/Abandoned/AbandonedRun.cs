@@ -1,5 +1,6 @@
 using System;
 using System.Globalization;
+using System.IO;
 using Rabit.Core;
 using Rabit.Links;
 using Rabit.Mavlink;
@@ -18,7 +19,8 @@ internal static class AbandonedRun
     private const int NotDone = 1;
     private const int BadInput = 2;
 
-    public static int Run(ConsoleOptions options)
+    /// <inheritdoc cref="FlightRun.Run"/>
+    public static int Run(ConsoleOptions options, TextWriter errors)
     {
         try
         {
@@ -30,7 +32,7 @@ internal static class AbandonedRun
         }
         catch (Exception e) when (e is LinkException or ArgumentException or PlatformNotSupportedException)
         {
-            Console.Error.WriteLine("UavConsole: " + e.Message);
+            errors.WriteLine("UavConsole: " + e.Message);
             return BadInput;
         }
     }

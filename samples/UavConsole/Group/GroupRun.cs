@@ -25,7 +25,8 @@ internal static class GroupRun
 
     private static readonly TimeSpan RefreshPeriod = TimeSpan.FromMilliseconds(150);
 
-    public static int Run(ConsoleOptions options)
+    /// <inheritdoc cref="FlightRun.Run"/>
+    public static int Run(ConsoleOptions options, TextWriter errors)
     {
         GroupFlight? flight = null;
         RunFiles? files = null;
@@ -37,16 +38,16 @@ internal static class GroupRun
         catch (ArgumentException e)
         {
             files?.Dispose();
-            Console.Error.WriteLine("UavConsole: " + FlightRun.FirstLine(e.Message));
+            errors.WriteLine("UavConsole: " + FlightRun.FirstLine(e.Message));
             return BadInput;
         }
 
         using (files)
         using (flight)
-            return Fly(flight, files, options);
+            return Fly(flight, files, options, errors);
     }
 
-    private static int Fly(GroupFlight flight, RunFiles files, ConsoleOptions options)
+    private static int Fly(GroupFlight flight, RunFiles files, ConsoleOptions options, TextWriter errors)
     {
         using var stop = new CancellationTokenSource();
         Console.CancelKeyPress += (_, e) =>
@@ -88,7 +89,7 @@ internal static class GroupRun
             .. stop.IsCancellationRequested ? [] : NotGiven(flight),
         ];
         foreach (string loss in losses.OfType<string>())
-            Console.Error.WriteLine("UavConsole: " + FlightRun.FirstLine(loss));
+            errors.WriteLine("UavConsole: " + FlightRun.FirstLine(loss));
         return losses.Any(l => l is not null) ? BadInput : summary.HasPassed ? 0 : 1;
     }
 

@@ -61,7 +61,8 @@ internal static class GroupSummary
 
     private static IEnumerable<string> FailuresOf(GroupFlight flight, GroupFlightSummary group, MissionScore score)
         => group.VehicleFailures
-            .Concat(score.Targets.Where(t => !t.IsFound).Select(t => $"target {t.Name} was not found"))
+            .Concat(score.Targets.Where(t => !t.IsFound).Select(
+                t => $"target {t.Name} {FlightText.Missed(t)}"))
             .Concat(score.FalseTracks.Select(t => $"a confirmed {t.Class} is no target"))
             .Concat(flight.Group.TooNear.Select(GroupSummaryText.Of));
 }

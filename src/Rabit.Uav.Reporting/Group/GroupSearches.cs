@@ -27,8 +27,10 @@ internal sealed class GroupSearches(IReadOnlyList<GroupVehicleSummary> vehicles)
         => mission.Result.Outcome == MissionOutcome.Accomplished
             || (mission.Result.RequiredCoverage > 0 && mission.Coverage >= mission.Result.RequiredCoverage);
 
-    private static MissionSummary SummaryOf(GroupVehicleSummary vehicle, bool isCompleted)
-        => new(vehicle.Flight.Record, score: null, isCompleted);
+    private MissionSummary SummaryOf(GroupVehicleSummary vehicle, bool isCompleted)
+        => new(
+            vehicle.Flight.Record, score: null, isCompleted,
+            vehicles.Where(v => v != vehicle).Sum(v => v.Flight.Record.Mission.LanesSkipped));
 
     private static string Of(GroupVehicleSummary vehicle, string text)
         => $"vehicle {FlightText.Number((long)vehicle.SystemId)}: {text}";

@@ -28,6 +28,9 @@ public sealed class TargetScore
     /// <summary>Whether there is a track.</summary>
     public bool IsFound => Track is not null;
 
+    /// <summary>Whether it was not found because the operator rejected its track.</summary>
+    public bool IsRejected { get; init; }
+
     /// <summary>Horizontal distance of the track from the truth, metres; 0 where it was not found.</summary>
     public double ErrorMetres => Math.Sqrt((ErrorNorthMetres * ErrorNorthMetres) + (ErrorEastMetres * ErrorEastMetres));
 

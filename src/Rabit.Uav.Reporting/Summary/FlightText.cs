@@ -92,6 +92,16 @@ public static class FlightText
         };
     }
 
+    /// <summary>What became of a target that was not found: "was not found".</summary>
+    /// <param name="missed">The target.</param>
+    /// <exception cref="ArgumentNullException">It is null.</exception>
+    public static string Missed(TargetScore missed)
+    {
+        if (missed is null)
+            throw new ArgumentNullException(nameof(missed));
+        return missed.IsRejected ? "was seen, and rejected by the operator" : "was not found";
+    }
+
     /// <summary>The short name of a phase.</summary>
     /// <param name="phase">The phase.</param>
     public static string Phase(MissionPhase phase) => phase switch

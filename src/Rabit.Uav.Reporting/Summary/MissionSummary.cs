@@ -25,7 +25,7 @@ public sealed class MissionSummary
     /// as much of the area was seen as is required has passed, where a coverage is required at all.
     /// </param>
     public MissionSummary(FlightRecord record, MissionScore? score)
-        : this(record, score, isCompletedByOthers: false)
+        : this(record, score, isCompletedByOthers: false, lanesSkippedByOthers: 0)
     {
     }
 
@@ -35,7 +35,11 @@ public sealed class MissionSummary
     /// Whether other vehicles of a group completed the search: that this one gave it up, or was called off before it
     /// took off, is no failure then.
     /// </param>
-    internal MissionSummary(FlightRecord record, MissionScore? score, bool isCompletedByOthers)
+    /// <param name="lanesSkippedByOthers">
+    /// How many lanes the operators of the other vehicles of a group skipped: no vehicle flies these.
+    /// </param>
+    internal MissionSummary(
+        FlightRecord record, MissionScore? score, bool isCompletedByOthers, int lanesSkippedByOthers)
     {
         if (record is null)
             throw new ArgumentNullException(nameof(record));
@@ -61,7 +65,9 @@ public sealed class MissionSummary
         string[] first =
         [
             .. NotFlown(mission.Result, isCompletedByOthers),
-            .. isCompletedByOthers ? [] : CoverageFailures(mission.Result),
+            .. isCompletedByOthers
+                ? []
+                : CoverageFailures(mission.Result, mission.LanesSkipped + lanesSkippedByOthers),
         ];
         Failures = [.. first, .. TargetFailures(score), .. FlightFailures(record, isCompletedByOthers)];
         Remarks = [.. NothingFound(record)];
@@ -137,11 +143,18 @@ public sealed class MissionSummary
     /// <summary>Whether the mission did what was asked for.</summary>
     public bool HasPassed => Failures.Count == 0;
 
-    private IEnumerable<string> CoverageFailures(MissionResult result)
+    private IEnumerable<string> CoverageFailures(MissionResult result, int lanesSkipped)
     {
-        if ((result.Failures & MissionFailures.AreaNotSeen) != 0)
-            yield return $"the area was not fully seen: {FlightText.Number(CoveragePercent, "0.0")} % of it, "
-                + $"{FlightText.Number(RequiredCoveragePercent, "0.#")} % are required";
+        if ((result.Failures & MissionFailures.AreaNotSeen) == 0)
+            yield break;
+        string skipped = lanesSkipped switch
+        {
+            0 => string.Empty,
+            1 => "; the operator skipped a lane",
+            _ => $"; the operator skipped {FlightText.Number((long)lanesSkipped)} lanes",
+        };
+        yield return $"the area was not fully seen: {FlightText.Number(CoveragePercent, "0.0")} % of it, "
+            + $"{FlightText.Number(RequiredCoveragePercent, "0.#")} % are required" + skipped;
     }
 
     // One that the operator called off before its take-off did as commanded.
@@ -166,7 +179,8 @@ public sealed class MissionSummary
         if (score is null)
             yield break;
         foreach (TargetScore missed in score.Targets.Where(t => !t.IsFound))
-            yield return $"target {missed.Name} ({TargetClassNames.Name(missed.Class)}) was not found";
+            yield return $"target {missed.Name} ({TargetClassNames.Name(missed.Class)}) "
+                + FlightText.Missed(missed);
         foreach (TargetTrack track in score.FalseTracks)
             yield return $"track {FlightText.Number(track.Id)} ({TargetClassNames.Name(track.Class)}) was confirmed "
                 + "and is not a target";

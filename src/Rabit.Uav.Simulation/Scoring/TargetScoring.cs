@@ -41,7 +41,10 @@ public static class TargetScoring
 
     /// <summary>Scores tracks, by where they are at the end.</summary>
     /// <param name="truth">The real targets.</param>
-    /// <param name="tracks">Confirmed ones count, and lost ones of a class that moves; others are ignored.</param>
+    /// <param name="tracks">
+    /// Confirmed ones count, and lost ones of a class that moves; of a rejected one its target is said to be rejected;
+    /// others are ignored.
+    /// </param>
     public static MissionScore Score(TargetTruth truth, IEnumerable<TargetTrack> tracks)
         => Score(truth, tracks, [], null);
 
@@ -51,8 +54,8 @@ public static class TargetScoring
     {
         if (truth is null)
             throw new ArgumentNullException(nameof(truth));
-        TargetTrack[] confirmed = (tracks ?? throw new ArgumentNullException(nameof(tracks)))
-            .Where(IsFound).OrderBy(t => t.Id).ToArray();
+        TargetTrack[] all = (tracks ?? throw new ArgumentNullException(nameof(tracks))).OrderBy(t => t.Id).ToArray();
+        TargetTrack[] confirmed = all.Where(IsFound).ToArray();
         var tracksOf = truth.Targets.Select(_ => new List<TargetTrack>()).ToArray();
         var isTaken = new HashSet<int>();
         foreach ((int target, TargetTrack track, _) in Pairs(truth, confirmed))
@@ -63,10 +66,13 @@ public static class TargetScoring
         }
 
         var histories = new TrackHistories(truth, confirmed.Where(t => t.Motion != TargetMotion.Standing), paths);
+        int[] rejected = Pairs(truth, all.Where(t => t.State == TrackState.Rejected).ToArray())
+            .Select(p => p.Target).ToArray();
         return new MissionScore
         {
             IdentitySwitches = histories.IdentitySwitches,
-            Targets = truth.Targets.Select((t, index) => Of(t, tracksOf[index].FirstOrDefault())).ToArray(),
+            Targets = truth.Targets
+                .Select((t, index) => Of(t, tracksOf[index].FirstOrDefault(), rejected.Contains(index))).ToArray(),
             FalseTracks = confirmed.Where(t => !isTaken.Contains(t.Id) && !histories.IsOfTargets(t)).ToArray(),
             DistanceFromHomeMetres = distanceFromHomeMetres,
         };
@@ -92,7 +98,7 @@ public static class TargetScoring
         => track.State == TrackState.Confirmed
             || (track.State == TrackState.Lost && track.Motion != TargetMotion.Standing);
 
-    private static TargetScore Of(TruthTarget target, TargetTrack? track)
+    private static TargetScore Of(TruthTarget target, TargetTrack? track, bool isRejected = false)
     {
         // Where the target was at the time of the track. Both on the ellipsoid: a difference in height is no error.
         GeodeticPosition position = track is null ? target.Position : target.PositionAt(track.Time);
@@ -105,6 +111,7 @@ public static class TargetScoring
             Class = target.Class,
             Position = position,
             Track = track,
+            IsRejected = track is null && isRejected,
             ErrorNorthMetres = error.North,
             ErrorEastMetres = error.East,
         };

@@ -294,10 +294,19 @@ internal sealed class SearchRoute
 
     // The operator may have seen something in the way of it.
     private bool IsSkipped(PlanePoint cell)
-        => _skipped.Any(s => IsBeside(s, cell)) || _skippedByOthers.Any(s => IsBeside(s, cell));
+        => IsBesideOneOf(_skipped, cell) || IsBesideOneOf(_skippedByOthers, cell);
 
-    private bool IsBeside(SkippedLane skipped, PlanePoint cell)
-        => skipped.Leg.DistanceTo(cell) <= skipped.HalfMetres + Coverage.CellMetres;
+    // Called for every cell: without a delegate.
+    private bool IsBesideOneOf(List<SkippedLane> skipped, PlanePoint cell)
+    {
+        foreach (SkippedLane lane in skipped)
+        {
+            if (lane.Leg.DistanceTo(cell) <= lane.HalfMetres + Coverage.CellMetres)
+                return true;
+        }
+
+        return false;
+    }
 
     // Convex, and of a size that is possible from the heights of a mission; comparisons with NaN are false.
     private static bool IsPicture(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d)

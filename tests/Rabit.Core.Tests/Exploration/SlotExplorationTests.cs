@@ -24,7 +24,6 @@ public sealed class SlotExplorationTests(ITestOutputHelper output)
         { "StoreBuffers", "4", 2, 1, 1 },
         { "Weak", "1 1", 1, 1, 1 },
         { "Weak", "2 1", 1, 1, 0 },
-        { "StoreBuffers", "3 1", 1, 1, 1 },
         { "StoreBuffers", "2 1", 1, 2, 0 },
     };
 
@@ -32,6 +31,7 @@ public sealed class SlotExplorationTests(ITestOutputHelper output)
     public static TheoryData<string, string, int, int, int> Large() => new()
     {
         { "Weak", "3 1", 1, 1, 0 },
+        { "StoreBuffers", "3 1", 1, 1, 1 },
         { "StoreBuffers", "2 2", 1, 2, 0 },
         { "Weak", "5", 1, 2, 1 },
         { "StoreBuffers", "4", 2, 2, 1 },

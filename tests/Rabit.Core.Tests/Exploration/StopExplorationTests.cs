@@ -21,7 +21,6 @@ public sealed class StopExplorationTests(ITestOutputHelper output)
     [InlineData("EndsDelay", 2, true, true)]
     [InlineData("EndsDelay, EndsDelay", 1, true, true)]
     [InlineData("Waits, Waits, EndsDelay", 1, true, true)]
-    [InlineData("EndsDelay, AtOnce", 2, false, true)]
     [InlineData("Waits, EndsDelay", 2, true, false)]
     public void Requests_RacingWithDelays_StopOnceAndWaitForWhoWasInTime(
         string requests, int managers, bool hasLimit, bool isWeak)
@@ -30,6 +29,7 @@ public sealed class StopExplorationTests(ITestOutputHelper output)
     [Theory, Trait("Category", "Long"), Trait("Clause", "1.9")]
     [InlineData("Waits", 3, true, false)]
     [InlineData("Waits", 3, true, true)]
+    [InlineData("EndsDelay, AtOnce", 2, false, true)]
     [InlineData("Waits, EndsDelay", 2, true, true)]
     public void Requests_RacingWithDelaysOfMoreManagers_StopOnceAndWaitForWhoWasInTime(
         string requests, int managers, bool hasLimit, bool isWeak)

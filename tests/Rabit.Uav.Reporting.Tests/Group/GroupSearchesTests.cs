@@ -75,9 +75,22 @@ public sealed class GroupSearchesTests
             isCompleted ? ["vehicle 2: it did not fly; the others completed the search"] : [], group.Remarks);
     }
 
+    // No other vehicle flies a lane that the operator of one skipped.
+    [Fact]
+    public void AreaNotSeen_OperatorSkippedLanesOfSeveral_EachNamesThemAll()
+    {
+        var group = new GroupFlightSummary(
+            [Vehicle(1, MissionFailures.AreaNotSeen, 0.9, lanesSkipped: 1),
+                Vehicle(2, MissionFailures.AreaNotSeen, 0.9, lanesSkipped: 2)]);
+        Assert.Equal(2, group.VehicleFailures.Count);
+        Assert.All(
+            group.VehicleFailures,
+            f => Assert.EndsWith("98 % are required; the operator skipped 3 lanes", f, StringComparison.Ordinal));
+    }
+
     private static GroupVehicleSummary Vehicle(
         byte systemId, MissionFailures failures = MissionFailures.None, double coverage = 0.99, double required = 0.98,
-        bool hasLanded = true, bool hasFlown = true)
+        bool hasLanded = true, bool hasFlown = true, int lanesSkipped = 0)
         => new(systemId, new FlightSummary(new FlightRecord
         {
             Mission = new MissionStatus
@@ -85,6 +98,7 @@ public sealed class GroupSearchesTests
                 Phase = MissionPhase.Done,
                 Plan = MadeUpSite.Plan,
                 Coverage = coverage,
+                LanesSkipped = lanesSkipped,
                 Aborted = (failures & MissionFailures.GivenUp) != 0 ? "return, by system 255" : null,
                 Result = new MissionResult
                 {

@@ -34,6 +34,14 @@ public sealed class MissionSummaryTests
     }
 
     [Theory]
+    [InlineData(1, "the operator skipped a lane")]
+    [InlineData(3, "the operator skipped 3 lanes")]
+    public void Failures_AreaNotSeenAndLanesSkipped_SaysSo(int lanes, string expected)
+        => Assert.Equal(
+            "the area was not fully seen: 93.4 % of it, 98 % are required; " + expected,
+            Of(NotSeen(lanesSkipped: lanes)).Failures[0]);
+
+    [Theory]
     [InlineData(true, 0.98, "nothing was found: no target was confirmed")]
     [InlineData(false, 0, "nothing was searched for: there was no camera")]
     public void Headlines_NoTargetConfirmed_SaysSo(bool hasCamera, double required, string expected)
@@ -261,9 +269,10 @@ public sealed class MissionSummaryTests
 
     private static MissionSummary Of(FlightRecord record) => new(record, score: null);
 
-    private static FlightRecord NotSeen(MissionFailures failures = MissionFailures.None) => Landed(
-        result: Home with { RequiredCoverage = 0.98, Failures = MissionFailures.AreaNotSeen | failures },
-        coverage: 0.934, hasCamera: true);
+    private static FlightRecord NotSeen(MissionFailures failures = MissionFailures.None, int lanesSkipped = 0)
+        => Landed(
+            result: Home with { RequiredCoverage = 0.98, Failures = MissionFailures.AreaNotSeen | failures },
+            coverage: 0.934, hasCamera: true, lanesSkipped);
 
     private static JsonDocument Json(FlightRecord record)
     {
@@ -272,17 +281,19 @@ public sealed class MissionSummaryTests
         return JsonDocument.Parse(written.ToArray());
     }
 
-    private static FlightRecord Landed(MissionResult result, double coverage = 1, bool hasCamera = false) => new()
-    {
-        Mission = new MissionStatus
+    private static FlightRecord Landed(
+        MissionResult result, double coverage = 1, bool hasCamera = false, int lanesSkipped = 0) => new()
         {
-            Plan = MadeUpSite.Plan,
-            Phase = MissionPhase.Done,
-            Coverage = coverage,
-            Result = result,
-        },
-        Imaging = new ImagingStatus { HasCamera = hasCamera },
-    };
+            Mission = new MissionStatus
+            {
+                Plan = MadeUpSite.Plan,
+                Phase = MissionPhase.Done,
+                Coverage = coverage,
+                LanesSkipped = lanesSkipped,
+                Result = result,
+            },
+            Imaging = new ImagingStatus { HasCamera = hasCamera },
+        };
 
     private static FlightRecord Landed(
         MissionFailures failures = MissionFailures.None, string? aborted = null, double distance = 0.5,

@@ -10,10 +10,14 @@ namespace Rabit.Uav.Simulation.Tests.Energy;
 /// </summary>
 public sealed class EnergyFlightTests
 {
-    [Theory]
+    [Theory, Trait("Category", "Long")]
     [InlineData(SimulatedAutopilot.ArduPilot, 0)]
-    [InlineData(SimulatedAutopilot.ArduPilot, 10)]
     [InlineData(SimulatedAutopilot.Px4, 3)]
+    public void Search_FarFromHomeInOtherWinds_LandsAtHomeWithFivePercentLeft(SimulatedAutopilot model, double wind)
+        => Search_FarFromHome_LandsAtHomeWithFivePercentLeft(model, wind);
+
+    [Theory]
+    [InlineData(SimulatedAutopilot.ArduPilot, 10)]
     public void Search_FarFromHome_LandsAtHomeWithFivePercentLeft(SimulatedAutopilot model, double wind)
     {
         EnergyFlight flight = EnergyFlight.Fly(Far(model) with { Wind = wind });

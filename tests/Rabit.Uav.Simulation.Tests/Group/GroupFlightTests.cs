@@ -37,7 +37,7 @@ public sealed class GroupFlightTests
         Assert.InRange(rate, 800, 2000);
     }
 
-    [Fact]
+    [Fact, Trait("Category", "Long")]
     public void Flight_SameSeed_IsTheSameToTheByte()
     {
         string[] first = EventLogs(seed: 5);

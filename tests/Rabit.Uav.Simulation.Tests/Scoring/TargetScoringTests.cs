@@ -43,6 +43,22 @@ public sealed class TargetScoringTests
     }
 
     [Fact]
+    public void Score_TrackThatTheOperatorRejected_IsNotFoundButRejected()
+    {
+        MissionScore score = Score(
+            TwoReds(),
+            [
+                Track(1, DefaultTargetClasses.Red, 0, 0), Track(2, DefaultTargetClasses.Red, 2, 0, TrackState.Rejected),
+                Track(3, DefaultTargetClasses.Red, 101, 0, TrackState.Rejected),
+            ]);
+
+        Assert.Equal([true, false], score.Targets.Select(t => t.IsFound));
+        Assert.Equal([false, true], score.Targets.Select(t => t.IsRejected));
+        Assert.Empty(score.FalseTracks);
+        Assert.Equal("was seen, and rejected by the operator", FlightText.Missed(score.Targets[1]));
+    }
+
+    [Fact]
     public void Score_TwoTracksAtOneTarget_TheNearerOneIsItsAndTheOtherFalse()
     {
         MissionScore score = Score(

@@ -12,21 +12,30 @@ internal sealed class Painting
     // A pixel's light is the mean over so many places in each direction.
     private const int Samples = 8;
 
+    // Patches of lighter and darker grass.
+    private static readonly Lazy<double[]> Patches = new(() =>
+    {
+        var patches = new double[Width * Height];
+        for (int i = 0; i < patches.Length; i++)
+        {
+            (int x, int y) = (i % Width, i / Width);
+            patches[i] = (12 * Math.Sin(x * 0.05)) + (10 * Math.Sin((y * 0.07) + (x * 0.02)));
+        }
+
+        return patches;
+    });
+
     private readonly GaussianNoise _noise;
 
     public Painting(int seed, double noise = 3)
     {
         _noise = new GaussianNoise(new Random(seed));
         Noise = noise;
-        for (int y = 0; y < Height; y++)
+        double[] patches = Patches.Value;
+        for (int i = 0; i < patches.Length; i++)
         {
-            for (int x = 0; x < Width; x++)
-            {
-                // Patches of lighter and darker grass, and blades.
-                double patch = (12 * Math.Sin(x * 0.05)) + (10 * Math.Sin((y * 0.07) + (x * 0.02)));
-                double blade = 8 * _noise.Next();
-                Set(x, y, 86 + patch + blade, 112 + patch + blade, 56 + (0.6 * (patch + blade)));
-            }
+            double blade = 8 * _noise.Next();
+            Set(3 * i, 86 + patches[i] + blade, 112 + patches[i] + blade, 56 + (0.6 * (patches[i] + blade)));
         }
     }
 
@@ -61,8 +70,12 @@ internal sealed class Painting
         {
             for (int column = Math.Max(0, (int)x - reach); column <= Math.Min(Width - 1, (int)x + reach); column++)
             {
-                int hits = 0;
-                for (int s = 0; s < Samples * Samples; s++)
+                // Where it is all inside or all outside, half a pixel's diagonal away from each side.
+                double depth = Math.Min(
+                    (length / 2) - Math.Abs(((column - x) * cos) + ((row - y) * sin)),
+                    (width / 2) - Math.Abs(((row - y) * cos) - ((column - x) * sin)));
+                int hits = depth > 0.71 ? Samples * Samples : 0;
+                for (int s = 0; s < Samples * Samples && Math.Abs(depth) <= 0.71; s++)
                 {
                     double dx = column - x + (((s % Samples) + 0.5) / Samples) - 0.5;
                     double dy = row - y + (((s / Samples) + 0.5) / Samples) - 0.5;
@@ -108,16 +121,12 @@ internal sealed class Painting
     {
         int at = ((y * Width) + x) * 3;
         Set(
-            x,
-            y,
+            at,
             Pixels[at] + (part * (colour.Red - Pixels[at])),
             Pixels[at + 1] + (part * (colour.Green - Pixels[at + 1])),
             Pixels[at + 2] + (part * (colour.Blue - Pixels[at + 2])));
     }
 
-    private void Set(int x, int y, double red, double green, double blue)
-    {
-        int at = ((y * Width) + x) * 3;
-        (Pixels[at], Pixels[at + 1], Pixels[at + 2]) = (ToByte(red), ToByte(green), ToByte(blue));
-    }
+    private void Set(int at, double red, double green, double blue)
+        => (Pixels[at], Pixels[at + 1], Pixels[at + 2]) = (ToByte(red), ToByte(green), ToByte(blue));
 }

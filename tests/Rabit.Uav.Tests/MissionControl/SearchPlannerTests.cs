@@ -23,15 +23,11 @@ public class SearchPlannerTests(ITestOutputHelper output)
     private const int Wedge = 27;
     private const double MaxOfWedge = 1.45;
 
-    [Theory]
-    [InlineData("convex", 5)]
-    [InlineData("concave", 17)]
-    [InlineData("holes", 24)]
-    [InlineData("sliver", 28)]
-    public void Plan_OneAreaOfEachKind_IsCoveredByAShortWay(string kind, int id)
+    [Fact]
+    public void Plan_OneAreaWithHoles_IsCoveredByAShortWay()
     {
-        PlannedArea planned = PlannedArea.All().Single(a => a.Id == id);
-        Assert.Equal(kind, planned.Kind);
+        PlannedArea planned = PlannedArea.All().Single(a => a.Id == 24);
+        Assert.Equal("holes", planned.Kind);
         Check(planned);
         Assert.InRange(planned.Ratio, 0.9, 1.3);
     }
@@ -74,11 +70,14 @@ public class SearchPlannerTests(ITestOutputHelper output)
     }
 
     [Theory]
-    [InlineData(2)]
-    [InlineData(18)]
-    public void Plan_InFlight_IsCoveredTooByAWayLittleLonger(int id)
+    [InlineData("convex", 2)]
+    [InlineData("concave", 17)]
+    [InlineData("holes", 18)]
+    [InlineData("sliver", 28)]
+    public void Plan_InFlight_IsCoveredTooByAWayLittleLonger(string kind, int id)
     {
         PlannedArea planned = PlannedArea.All(isQuick: true).Single(a => a.Id == id);
+        Assert.Equal(kind, planned.Kind);
         Check(planned);
         Assert.InRange(planned.Ratio, 0.9, 1.35);
     }

@@ -178,15 +178,18 @@ public class PictureJudgeTests
     private static double[] Blur(double[] picture, int reach, int direction)
     {
         var blurred = new double[picture.Length];
-        for (int i = 0; i < picture.Length; i++)
+        for (int k = -reach; k <= reach; k++)
         {
-            for (int k = -reach; k <= reach; k++)
+            int from = ((k * direction) + picture.Length) % picture.Length;
+            for (int i = 0; i < picture.Length; i++)
             {
-                int from = (((i + (k * direction)) % picture.Length) + picture.Length) % picture.Length;
-                blurred[i] += picture[from] / ((2 * reach) + 1);
+                blurred[i] += picture[from];
+                from = from + 1 == picture.Length ? 0 : from + 1;
             }
         }
 
+        for (int i = 0; i < blurred.Length; i++)
+            blurred[i] /= (2 * reach) + 1;
         return blurred;
     }
 

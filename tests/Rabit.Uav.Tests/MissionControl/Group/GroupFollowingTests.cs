@@ -198,6 +198,21 @@ public sealed class GroupFollowingTests
         Assert.DoesNotContain("to follow moving target", rig.Rigs[first.Value].Story, StringComparison.Ordinal);
     }
 
+    // Another vehicle follows it already; this one has no link to its task yet.
+    [Fact]
+    public void Target_OperatorRejectsATentativeTrackOfWhatAnotherFollows_IsFollowedByNone()
+    {
+        using GroupRig rig = Open(2, followSeconds: 600);
+        Add(rig, Walker(0.5));
+        Assert.True(rig.RunUntil(() => Following(rig).Any(i => rig.Rigs[i].Vehicle.Sees(0)), 300), rig.Story);
+        int other = 1 - Following(rig)[0];
+        Assert.True(rig.RunUntil(() => rig.Rigs[other].Vehicle.Tracks.Count > 0, 400), rig.Story);
+        Assert.Equal(TrackState.Tentative, Assert.Single(rig.Rigs[other].Vehicle.Tracks).State);
+        rig.Rigs[other].Manager.Reject(101, "test", "a dog");
+        Assert.True(rig.RunUntil(() => Following(rig).Length == 0, 3), rig.Story);
+        Assert.Equal(FollowResult.Rejected, Assert.Single(Tasks(rig)).Result);
+    }
+
     // Nothing is kept from being searched any more.
     [Fact]
     public void Target_NoBudgetAndAllIsSeen_IsFollowed()

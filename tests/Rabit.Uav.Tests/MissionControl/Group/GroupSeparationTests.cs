@@ -34,7 +34,7 @@ public sealed class GroupSeparationTests(ITestOutputHelper output)
     }
 
     // The layers are 20 m apart: 5 m are left for both errors together.
-    [Fact]
+    [Fact, Trait("Category", "Long")]
     public void Flights_HeightsAreWrongByMoreThanTheLayersAllow_AreFoundTooNear()
     {
         bool isFound = false;
