@@ -164,10 +164,12 @@ internal static class CommandLine
         ParseResult parsed = Create(errors, run).Parse(arguments);
         return parsed.Errors.Count > 0
             ? Refuse([.. parsed.Errors.Select(e => e.Message), "(--help shows the options)"], errors)
-            : parsed.Invoke();
+            : parsed.Invoke(new InvocationConfiguration { Error = errors });
     }
 
-    /// <inheritdoc cref="Run"/>
+    /// <summary>The command, with all its options.</summary>
+    /// <param name="errors">Where a fault is written: one line.</param>
+    /// <param name="run">As for <see cref="Run"/>.</param>
     public static RootCommand Create(TextWriter errors, Func<ConsoleOptions, TextWriter, int> run)
     {
         var command = new RootCommand(

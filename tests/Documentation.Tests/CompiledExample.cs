@@ -44,7 +44,7 @@ internal static class CompiledExample
         global using Rabit.Vision;
         """;
 
-    private static readonly CSharpParseOptions Parse = new(LanguageVersion.Latest);
+    private static readonly CSharpParseOptions Parse = new(LanguageVersion.CSharp12);
 
     private static readonly Lazy<SyntaxTree[]> Common = new(() =>
     [

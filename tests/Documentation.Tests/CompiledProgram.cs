@@ -23,7 +23,7 @@ internal static class CompiledProgram
     /// <summary>Compiles blocks together; one of them may have top-level statements.</summary>
     public static Assembly Compile(params DocumentBlock[] blocks)
     {
-        var parse = new CSharpParseOptions(LanguageVersion.Latest);
+        var parse = new CSharpParseOptions(LanguageVersion.CSharp12);
         IEnumerable<SyntaxTree> trees = blocks.Select(
             b => CSharpSyntaxTree.ParseText(SourceText.From(b.Padded), parse, path: b.Document));
         bool isProgram = trees.Any(

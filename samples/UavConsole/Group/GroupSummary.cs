@@ -19,7 +19,8 @@ internal static class GroupSummary
         IReadOnlyList<string> reports)
     {
         MissionScore score = vehicles.Select(v => TargetScoring.Score(flight.Truth, v.Record, null))
-            .OrderByDescending(s => s.Found).ThenBy(s => s.FalseTracks.Count).First();
+            .OrderByDescending(s => s.Found).ThenBy(s => s.FalseTracks.Count)
+            .ThenByDescending(s => s.Targets.Count(t => t.IsRejected)).First();
         TruePose[] flown = flight.Group.Vehicles.SelectMany(v => v.World.Truth.Path.Where(p => p.Position.Down < 0))
             .ToArray();
         GroupVehicleSummary[] all = vehicles

@@ -67,7 +67,7 @@ public sealed class MissionSummary
             .. NotFlown(mission.Result, isCompletedByOthers),
             .. isCompletedByOthers
                 ? []
-                : CoverageFailures(mission.Result, mission.LanesSkipped + lanesSkippedByOthers),
+                : CoverageFailures(mission.Result, mission.LanesSkipped, lanesSkippedByOthers),
         ];
         Failures = [.. first, .. TargetFailures(score), .. FlightFailures(record, isCompletedByOthers)];
         Remarks = [.. NothingFound(record)];
@@ -143,16 +143,18 @@ public sealed class MissionSummary
     /// <summary>Whether the mission did what was asked for.</summary>
     public bool HasPassed => Failures.Count == 0;
 
-    private IEnumerable<string> CoverageFailures(MissionResult result, int lanesSkipped)
+    private IEnumerable<string> CoverageFailures(MissionResult result, int lanesSkipped, int lanesSkippedByOthers)
     {
         if ((result.Failures & MissionFailures.AreaNotSeen) == 0)
             yield break;
-        string skipped = lanesSkipped switch
+        string skipped = (lanesSkipped + lanesSkippedByOthers) switch
         {
             0 => string.Empty,
             1 => "; the operator skipped a lane",
-            _ => $"; the operator skipped {FlightText.Number((long)lanesSkipped)} lanes",
+            int lanes => $"; the operator skipped {FlightText.Number((long)lanes)} lanes",
         };
+        if (lanesSkippedByOthers > 0)
+            skipped += " of the group";
         yield return $"the area was not fully seen: {FlightText.Number(CoveragePercent, "0.0")} % of it, "
             + $"{FlightText.Number(RequiredCoveragePercent, "0.#")} % are required" + skipped;
     }

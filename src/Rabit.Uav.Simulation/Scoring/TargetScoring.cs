@@ -66,8 +66,10 @@ public static class TargetScoring
         }
 
         var histories = new TrackHistories(truth, confirmed.Where(t => t.Motion != TargetMotion.Standing), paths);
+
+        // Each is of the nearest one.
         int[] rejected = Pairs(truth, all.Where(t => t.State == TrackState.Rejected).ToArray())
-            .Select(p => p.Target).ToArray();
+            .GroupBy(p => p.Track.Id).Select(g => g.First().Target).ToArray();
         return new MissionScore
         {
             IdentitySwitches = histories.IdentitySwitches,

@@ -28,6 +28,7 @@ public sealed class LoneSenderCloseExplorationTests(ITestOutputHelper output)
         { "SequentiallyConsistent", false, 2, 1, false },
         { "SequentiallyConsistent", false, 1, 0, true },
         { "StoreBuffers", false, 2, 1, false },
+        { "StoreBuffers", true, 2, 1, false },
         { "StoreBuffers", false, 1, 0, true },
         { "Weak", false, 2, 0, false },
         { "Weak", false, 1, 1, false },
@@ -38,7 +39,6 @@ public sealed class LoneSenderCloseExplorationTests(ITestOutputHelper output)
     public static TheoryData<string, bool, int, int, bool> Large() => new()
     {
         { "SequentiallyConsistent", false, 2, 1, true },
-        { "StoreBuffers", true, 2, 1, false },
         { "StoreBuffers", false, 3, 2, false },
         { "StoreBuffers", false, 1, 1, true },
         { "Weak", false, 2, 1, false },

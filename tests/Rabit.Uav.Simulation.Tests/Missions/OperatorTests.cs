@@ -73,6 +73,7 @@ public sealed class OperatorTests(ITestOutputHelper output)
     }
 
     [Theory]
+    [InlineData(1, SimulatedAutopilot.ArduPilot)]
     [InlineData(2, SimulatedAutopilot.Px4)]
     public void LegProgress_NominalFlightInWind_IsNoFalseAlarm(long seed, SimulatedAutopilot model)
         => FlyInWind(seed, model, metresPerSecond: 8);

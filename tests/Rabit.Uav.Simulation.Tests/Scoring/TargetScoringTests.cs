@@ -59,6 +59,17 @@ public sealed class TargetScoringTests
     }
 
     [Fact]
+    public void Score_RejectedTrackOfATargetThatWasFound_ItsNeighbourIsNotRejected()
+    {
+        MissionScore score = Score(
+            [Target(DefaultTargetClasses.Red, 0, 0), Target(DefaultTargetClasses.Red, 6, 0)],
+            [Track(1, DefaultTargetClasses.Red, 0, 0), Track(2, DefaultTargetClasses.Red, 1, 0, TrackState.Rejected)]);
+
+        Assert.Equal([true, false], score.Targets.Select(t => t.IsFound));
+        Assert.All(score.Targets, t => Assert.False(t.IsRejected));
+    }
+
+    [Fact]
     public void Score_TwoTracksAtOneTarget_TheNearerOneIsItsAndTheOtherFalse()
     {
         MissionScore score = Score(

@@ -35,6 +35,7 @@ public sealed class ResumedSearchTests(ITestOutputHelper output) : IDisposable
     public void Dispose() => File.Delete(_file);
 
     [Theory]
+    [InlineData(1)]
     [InlineData(2)]
     public void Resume_RandomMoment_FliesNothingTwiceAndFindsAll(int seed) => FlyTwice(seed);
 

@@ -9,8 +9,8 @@ namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
 /// A camera that is the standard output of another program, as <c>rpicam-vid</c> and <c>ffmpeg</c> write it. The
-/// program is ended with this one, and started again, after a delay that doubles, when it ends or gives no whole
-/// picture for too long; Health Monitoring sees a camera without pictures meanwhile. An end with which a stop of the
+/// program is ended with this one, and started again, after a delay that doubles, when it ends or gives no picture that
+/// can be used for too long; Health Monitoring sees a camera without pictures meanwhile. An end with which a stop of the
 /// run is requested is no fault: Ctrl-C in a terminal, or a service that is stopped, ends both. It needs real time. The
 /// figures may be read from any thread.
 /// </summary>
@@ -52,6 +52,7 @@ public sealed partial class ProcessCamera : ICamera
     private bool _hasBytes;   // since the last whole picture
     private string? _end;     // how the program ended, while that may still be the end that was asked for
     private TimeSpan _endIsFaultAt;
+    private TimeSpan? _refusedSince;   // without one that could be used
     private long _number;
     private volatile bool _isStalled;
     private volatile bool _isStopping;
@@ -262,10 +263,11 @@ public sealed partial class ProcessCamera : ICamera
         catch (PictureException e)
         {
             lease.Dispose();
-            Refuse(e.Reason);
+            RefuseWhole(e.Reason);
             return false;
         }
 
+        _refusedSince = null;
         _journal.Deliver();
         frame = new CameraFrame
         {
@@ -298,6 +300,20 @@ public sealed partial class ProcessCamera : ICamera
         if (!_rate.IsLimited)
             _number++;
         _journal.Skip();
+    }
+
+    // A program may go on to write pictures of which none can be used. Those that are left out are not looked at.
+    private void RefuseWhole(string reason)
+    {
+        Refuse(reason);
+        _refusedSince ??= _arrived;
+        if (_arrived - _refusedSince > _options.StallTimeout)
+        {
+            Fail(
+                FormattableString.Invariant(
+                    $"it wrote only pictures that cannot be used for {_options.StallTimeout.TotalSeconds} s ({reason})"),
+                "it is started again");
+        }
     }
 
     private void Refuse(string reason)

@@ -64,7 +64,8 @@ public sealed class ProcessCameraOptions
     public double? MaxFramesPerSecond { get; set; }
 
     /// <summary>
-    /// The program is ended and started again when no whole picture has come for so long, whatever else it writes.
+    /// The program is ended and started again when no whole picture has come for so long, whatever else it writes, or
+    /// only pictures that cannot be used.
     /// </summary>
     /// <value>The default is 5 s.</value>
     public TimeSpan StallTimeout { get; set; } = TimeSpan.FromSeconds(5);

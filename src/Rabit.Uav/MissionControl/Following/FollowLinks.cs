@@ -30,8 +30,8 @@ internal sealed class FollowLinks(FollowBook book)
 
     private const int MaxLinks = 512;
 
-    // Later another target of the class may be where the one that was rejected has gone: it is not followed, but what
-    // it is is for the operator to say.
+    // Later another target of the class may be where the one that was followed or rejected has gone: it is not followed,
+    // but what it is is for the operator to say.
     private static readonly TimeSpan MaxRejectedAge = TimeSpan.FromSeconds(10);
 
     // Two targets that pass each other are not one.
@@ -39,7 +39,7 @@ internal sealed class FollowLinks(FollowBook book)
 
     private readonly Dictionary<int, FollowEntry> _links = [];
 
-    // Tracks that began where a rejected target may have gone.
+    // Tracks that began where a target may have gone that was out of view for long, or beside one.
     private readonly HashSet<int> _perhapsOthers = [];
     private readonly Dictionary<TargetClassName, TargetMotion> _motions = [];
 
@@ -81,9 +81,9 @@ internal sealed class FollowLinks(FollowBook book)
                 entry = book.Announce(TaskOf(track), own, flight.Now);
             if (entry is null)
                 continue;
-            if (entry.Task.Result == FollowResult.Rejected)
-                RejectToo(flight, track, entry);
-            AddLink(track.Id, entry);
+            AddLink(flight, track, entry);
+            if (entry.Task.Result == FollowResult.Rejected && !_perhapsOthers.Contains(track.Id))
+                flight.OperatorActions.RejectToo(flight, track);
             Refresh(entry, track);
         }
 
@@ -123,27 +123,31 @@ internal sealed class FollowLinks(FollowBook book)
     {
         bool isSeen = flight.Now - track.LastSeen <= MaxRejectedAge;
         if (!_links.ContainsKey(track.Id) && isSeen && Link(flight, track) is { } found)
-            AddLink(track.Id, found);
-        if (_links.TryGetValue(track.Id, out FollowEntry? entry) && entry.Task.Result != FollowResult.Rejected)
+            AddLink(flight, track, found);
+        if (_links.TryGetValue(track.Id, out FollowEntry? entry) && entry.Task.Result != FollowResult.Rejected
+            && !_perhapsOthers.Contains(track.Id))
             entry.Close(own, FollowResult.Rejected, flight.Now);
     }
 
-    // What we knew as its target before is it, however late the reject reaches us.
-    private void RejectToo(MissionFlight flight, TargetTrack track, FollowEntry entry)
+    // What is linked in time is the target, however late a reject of it reaches us. Where clutter makes track after track
+    // the oldest links go.
+    private void AddLink(MissionFlight flight, TargetTrack track, FollowEntry entry)
     {
-        bool isLinked = _links.TryGetValue(track.Id, out FollowEntry? before) && before == entry;
-        if (!isLinked && flight.Now - entry.Task.Time > MaxRejectedAge)
-            _perhapsOthers.Add(track.Id);
-        if (!_perhapsOthers.Contains(track.Id))
-            flight.OperatorActions.RejectToo(flight, track);
-    }
+        if (!_links.TryGetValue(track.Id, out FollowEntry? before) || before != entry)
+        {
+            bool isLate = flight.Now - entry.Task.Time > MaxRejectedAge;
+            if (entry.IsOver && (isLate || IsShownByAnother(entry, track, flight)))
+                _perhapsOthers.Add(track.Id);
+            else
+                _perhapsOthers.Remove(track.Id);
+        }
 
-    // Where clutter makes track after track the oldest links go.
-    private void AddLink(int trackId, FollowEntry entry)
-    {
-        _links[trackId] = entry;
-        if (_links.Count > MaxLinks)
-            _links.Remove(_links.Keys.Min());
+        _links[track.Id] = entry;
+        if (_links.Count <= MaxLinks)
+            return;
+        int oldest = _links.Keys.Min();
+        _links.Remove(oldest);
+        _perhapsOthers.Remove(oldest);
     }
 
     // The task of which the target may be there by now: one that is not over, or of a target that was followed or

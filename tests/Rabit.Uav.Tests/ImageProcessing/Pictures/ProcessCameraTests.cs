@@ -172,6 +172,24 @@ public sealed partial class ProcessCameraTests : IDisposable
         Assert.Contains("a picture is 96 x 64; 61 x 43 are wanted", camera.LastFault, StringComparison.Ordinal);
     }
 
+    // The first start writes such pictures without end, the second one that can be used.
+    [ShellFact]
+    public void Read_OnlyPicturesThatCannotBeUsed_IsStartedAgain()
+    {
+        ProcessCameraOptions options = Options(
+            "if [ -e \"$3\" ]; then cat \"$2\"; sleep 60; fi; touch \"$3\"; while :; do cat \"$1\"; sleep 0.05; done",
+            Path.Combine(Jpegs, "arithmetic.jpg"), Path.Combine(Jpegs, "420.jpg"), _folder.File("started"));
+        options.StallTimeout = TimeSpan.FromSeconds(0.4);
+
+        Run(options, 1, out ProcessCamera camera);
+
+        Assert.Contains(
+            _log,
+            line => line.StartsWith(
+                "sh: it wrote only pictures that cannot be used for 0.4 s (", StringComparison.Ordinal));
+        Assert.True(camera.Restarts >= 1, $"{camera.Restarts} restarts");
+    }
+
     [ShellFact]
     public void Read_ProgramThatIsMissing_IsAFaultThatIsTriedAgain()
     {

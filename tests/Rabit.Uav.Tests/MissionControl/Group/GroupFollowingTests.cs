@@ -198,6 +198,31 @@ public sealed class GroupFollowingTests
         Assert.DoesNotContain("to follow moving target", rig.Rigs[first.Value].Story, StringComparison.Ordinal);
     }
 
+    // Another one of its class has come beside it since then.
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void Target_RejectedAfterItWasFollowed_ATrackThatBeganLaterBesideItIsNot(bool isRejectedAtOnce)
+    {
+        using GroupRig rig = Open(2, followSeconds: 10);
+        double? followed = null;
+        Add(rig, _ => (200, 20));
+        Add(rig, t => t.TotalSeconds > followed + 15 ? (202, 24) : null);
+        Assert.True(rig.RunUntil(() => Tasks(rig).Any(t => t.Result == FollowResult.Followed), 600), rig.Story);
+        followed = rig.Rigs[0].Now.TotalSeconds;
+        MissionRig follower = rig.Rigs.Single(r => r.Vehicle.Tracks.Count > 0);
+        if (isRejectedAtOnce)
+            follower.Manager.Reject(101, "test", "a dog");
+        Assert.True(rig.RunUntil(() => follower.Vehicle.Tracks.Any(t => t.Id == 102 && IsConfirmed(t)), 900), rig.Story);
+        rig.Run(1);
+        if (!isRejectedAtOnce)
+            follower.Manager.Reject(101, "test", "a dog");
+        rig.Run(5);
+        Assert.Equal(FollowResult.Rejected, Assert.Single(Tasks(rig)).Result);
+        Assert.True(IsConfirmed(follower.Vehicle.Tracks.Single(t => t.Id == 102)), rig.Story);
+        static bool IsConfirmed(TargetTrack t) => (t.State, t.Decision) == (TrackState.Confirmed, TargetDecision.None);
+    }
+
     // Another vehicle follows it already; this one has no link to its task yet.
     [Fact]
     public void Target_OperatorRejectsATentativeTrackOfWhatAnotherFollows_IsFollowedByNone()
