@@ -85,7 +85,8 @@ public sealed class GroupSearchesTests
         Assert.Equal(2, group.VehicleFailures.Count);
         Assert.All(
             group.VehicleFailures,
-            f => Assert.EndsWith("98 % are required; the operator skipped 3 lanes of the group", f, StringComparison.Ordinal));
+            f => Assert.EndsWith(
+                "98 % are required; the operator skipped 3 lanes of the group", f, StringComparison.Ordinal));
     }
 
     private static GroupVehicleSummary Vehicle(

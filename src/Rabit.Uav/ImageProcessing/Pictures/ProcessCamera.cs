@@ -10,9 +10,9 @@ namespace Rabit.Uav.ImageProcessing;
 /// <summary>
 /// A camera that is the standard output of another program, as <c>rpicam-vid</c> and <c>ffmpeg</c> write it. The
 /// program is ended with this one, and started again, after a delay that doubles, when it ends or gives no picture that
-/// can be used for too long; Health Monitoring sees a camera without pictures meanwhile. An end with which a stop of the
-/// run is requested is no fault: Ctrl-C in a terminal, or a service that is stopped, ends both. It needs real time. The
-/// figures may be read from any thread.
+/// can be used for too long; Health Monitoring sees a camera without pictures meanwhile. An end with which a stop of
+/// the run is requested is no fault: Ctrl-C in a terminal, or a service that is stopped, ends both. It needs real time.
+/// The figures may be read from any thread.
 /// </summary>
 /// <remarks>
 /// The time of a picture is that of its arrival less <see cref="ProcessCameraOptions.Latency"/> and its exposure; or,

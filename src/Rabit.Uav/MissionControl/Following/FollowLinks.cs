@@ -30,8 +30,8 @@ internal sealed class FollowLinks(FollowBook book)
 
     private const int MaxLinks = 512;
 
-    // Later another target of the class may be where the one that was followed or rejected has gone: it is not followed,
-    // but what it is is for the operator to say.
+    // Later another target of the class may be where the one that was followed or rejected has gone: it is not
+    // followed, but what it is is for the operator to say.
     private static readonly TimeSpan MaxRejectedAge = TimeSpan.FromSeconds(10);
 
     // Two targets that pass each other are not one.
@@ -129,8 +129,8 @@ internal sealed class FollowLinks(FollowBook book)
             entry.Close(own, FollowResult.Rejected, flight.Now);
     }
 
-    // What is linked in time is the target, however late a reject of it reaches us. Where clutter makes track after track
-    // the oldest links go.
+    // What is linked in time is the target, however late a reject of it reaches us. Where clutter makes track after
+    // track the oldest links go.
     private void AddLink(MissionFlight flight, TargetTrack track, FollowEntry entry)
     {
         if (!_links.TryGetValue(track.Id, out FollowEntry? before) || before != entry)

@@ -213,7 +213,8 @@ public sealed class GroupFollowingTests
         MissionRig follower = rig.Rigs.Single(r => r.Vehicle.Tracks.Count > 0);
         if (isRejectedAtOnce)
             follower.Manager.Reject(101, "test", "a dog");
-        Assert.True(rig.RunUntil(() => follower.Vehicle.Tracks.Any(t => t.Id == 102 && IsConfirmed(t)), 900), rig.Story);
+        Assert.True(
+            rig.RunUntil(() => follower.Vehicle.Tracks.Any(t => t.Id == 102 && IsConfirmed(t)), 900), rig.Story);
         rig.Run(1);
         if (!isRejectedAtOnce)
             follower.Manager.Reject(101, "test", "a dog");
