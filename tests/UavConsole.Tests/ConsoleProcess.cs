@@ -144,8 +144,7 @@ internal sealed class ConsoleProcess : IDisposable
         }
     }
 
-    /// <summary>Signals it; one that has ended meanwhile needs none.</summary>
-    public void Signal(int signal) => Assert.True(Kill(_process.Id, signal) == 0 || _process.HasExited);
+    public void Signal(int signal) => Assert.Equal(0, Kill(_process.Id, signal));
 
     public void Dispose()
     {

@@ -49,9 +49,9 @@ public sealed class TakeoverTrialTests(ITestOutputHelper output)
     [Theory]
     [InlineData(SimulatedAutopilot.ArduPilot)]
     [InlineData(SimulatedAutopilot.Px4)]
-    public void Pilot_AMomentBesideOurModeCommand_NothingIsSentAfterAReportShowsHisMode(SimulatedAutopilot model)
+    public void Pilot_AFewMomentsBesideOurModeCommand_NothingIsSentAfterAReportShowsHisMode(SimulatedAutopilot model)
     {
-        foreach (TakeoverTrial trial in FlyAll(Races(model, seed: 4, count: 1)))
+        foreach (TakeoverTrial trial in FlyAll(Races(model, seed: 4, count: 2)))
             Assert.True(trial.SentAfterReport is null, trial.ToString());
     }
 

@@ -186,22 +186,11 @@ public sealed class RecordedLogTests
 
     [Fact]
     public void ClockStepsBack_LongFlightAfterIt_IsPlayedToItsEnd()
-    {
-        const int count = 90_000;
-        using var log = new TestLog();
-        log.Record(7_000_000_000, Frames.Heartbeat());
-        var bytes = new List<byte>();
-        for (int n = 1; n < count; n++)
-            bytes.AddRange(Stamped(n * 60_000L, Frames.Heartbeat(sequence: (byte)n)));
-        log.Raw(bytes.ToArray());
-        var autopilot = new FakeAutopilot(1024) { Keeps = false };
-        using var rig = new CommunicationsRig(0, o => Replay(o, log), autopilot);
+        => PlayAfterAStepBack(count: 90_000, microseconds: 60_000);
 
-        ReactorResult result = rig.FinishByItself();
-
-        Assert.Null(result.Failure);
-        Assert.Equal(count, rig.Manager.SummariseLinks()[0].Frames);
-    }
+    [Fact, Trait("Category", "Long")]
+    public void ClockStepsBack_LongFlightOfManyRecordsAfterIt_IsPlayedToItsEnd()
+        => PlayAfterAStepBack(count: 900_000, microseconds: 6000);
 
     [Fact]
     public void ClockStepsForward_ByYears_IsPlayedOnAtOnce()
@@ -216,6 +205,23 @@ public sealed class RecordedLogTests
 
         Assert.Null(result.Failure);
         Assert.Equal([0, 0, 2], autopilot.Taken.Select(f => f.Time.TotalSeconds));
+    }
+
+    private static void PlayAfterAStepBack(int count, long microseconds)
+    {
+        using var log = new TestLog();
+        log.Record(7_000_000_000, Frames.Heartbeat());
+        var bytes = new List<byte>();
+        for (int n = 1; n < count; n++)
+            bytes.AddRange(Stamped(n * microseconds, Frames.Heartbeat(sequence: (byte)n)));
+        log.Raw(bytes.ToArray());
+        var autopilot = new FakeAutopilot(1024) { Keeps = false };
+        using var rig = new CommunicationsRig(0, o => Replay(o, log), autopilot);
+
+        ReactorResult result = rig.FinishByItself();
+
+        Assert.Null(result.Failure);
+        Assert.Equal(count, rig.Manager.SummariseLinks()[0].Frames);
     }
 
     private static void StopAt(FakeAutopilot autopilot, in LinkFrame frame, long index)
