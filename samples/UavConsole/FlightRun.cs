@@ -50,7 +50,7 @@ internal static class FlightRun
         {
             web?.Dispose();
             flight?.Dispose();
-            WriteError(errors, e.Message);
+            ErrorLine.Write(errors, e.Message);
             return BadInput;
         }
 
@@ -79,7 +79,7 @@ internal static class FlightRun
         foreach (string? loss in losses)
         {
             if (loss is not null)
-                WriteError(errors, loss);
+                ErrorLine.Write(errors, loss);
         }
 
         return losses.Any(l => l is not null) ? BadInput : summary.ExitCode;
@@ -140,18 +140,6 @@ internal static class FlightRun
         using var content = new MemoryStream();
         ExportFormat.Find(file.Path)!(content, summary);
         return file.Write(content.ToArray());
-    }
-
-    private static void WriteError(TextWriter errors, string text)
-    {
-        try
-        {
-            errors.WriteLine("UavConsole: " + FirstLine(text));
-        }
-        catch (IOException)
-        {
-            // Standard error is closed too; the exit code remains.
-        }
     }
 
     private static FlightSummary Show(Flight flight, RunLog log, WebView? web, ConsoleOptions options)
@@ -268,14 +256,5 @@ internal static class FlightRun
             return null;
         DateTimeOffset utc = new DateTimeOffset(1970, 1, 1, 0, 0, 0, TimeSpan.Zero).AddTicks(first * 10);
         return options.IsReplay ? utc : utc.ToLocalTime();
-    }
-
-    // ArgumentException adds the parameter's name on a line or in brackets; a person needs the sentence alone.
-    public static string FirstLine(string text)
-    {
-        int end = text.IndexOf(" (Parameter '", StringComparison.Ordinal);
-        if (end < 0)
-            end = text.IndexOfAny(['\r', '\n']);
-        return end < 0 ? text : text.Substring(0, end);
     }
 }

@@ -32,7 +32,7 @@ internal static class AbandonedRun
         }
         catch (Exception e) when (e is LinkException or ArgumentException or PlatformNotSupportedException)
         {
-            errors.WriteLine("UavConsole: " + e.Message);
+            ErrorLine.Write(errors, e.Message);
             return BadInput;
         }
     }

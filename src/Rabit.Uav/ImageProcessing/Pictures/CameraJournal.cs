@@ -18,7 +18,8 @@ internal sealed class CameraJournal(string camera)
     private long _restarts;
     private string? _fault;
     private string? _lastFault;
-    private Action<string>? _log;   // set by any thread
+    private TimeSpan? _refusedSince;   // null after a picture that was good; of the thread of the camera alone
+    private Action<string>? _log;      // set by any thread
 
     public CameraStatistics Statistics => new()
     {
@@ -40,9 +41,13 @@ internal sealed class CameraJournal(string camera)
     /// <summary>Writes a line as it is.</summary>
     public void WriteLine(string line) => Volatile.Read(ref _log)?.Invoke(line);
 
+    /// <summary>The camera was opened, or opened again: what was wrong with earlier pictures is over.</summary>
+    public void Begin() => _refusedSince = null;
+
     /// <summary>A picture was delivered: nothing keeps the camera from giving pictures.</summary>
     public void Deliver()
     {
+        _refusedSince = null;
         Interlocked.Increment(ref _delivered);
         Volatile.Write(ref _fault, null);
     }
@@ -64,6 +69,23 @@ internal sealed class CameraJournal(string camera)
         string? last = Volatile.Read(ref _lastFault);
         string fault = Fail(reason);
         return string.Equals(fault, last, StringComparison.Ordinal) ? null : fault;
+    }
+
+    /// <summary>
+    /// A picture that arrived cannot be used: a camera that hangs may go on to give pictures, none of them good. Those
+    /// that are left out are not looked at, and do not count.
+    /// </summary>
+    /// <param name="reason">What is wrong with this one.</param>
+    /// <param name="now">When it arrived.</param>
+    /// <param name="timeout">For how long it may go on.</param>
+    /// <returns>The fault that this is; null while it has not lasted for longer than that.</returns>
+    public string? FindOnlyRefused(string reason, TimeSpan now, TimeSpan timeout)
+    {
+        _refusedSince ??= now;
+        return now - _refusedSince <= timeout
+            ? null
+            : FormattableString.Invariant(
+                $"it gave only pictures that cannot be used for {timeout.TotalSeconds} s ({reason})");
     }
 
     /// <summary>Something keeps the camera from giving pictures.</summary>

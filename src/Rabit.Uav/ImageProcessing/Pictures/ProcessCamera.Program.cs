@@ -11,7 +11,8 @@ public sealed partial class ProcessCamera
     private void Start()
     {
         _stream.Clear();
-        (_isStalled, _hasBytes, _end, _refusedSince) = (false, false, null, null);
+        _journal.Begin();
+        (_isStalled, _hasBytes, _end) = (false, false, null);
         Volatile.Write(ref _process, new ChildProcess(
             _options.Program,
             _times?.Open() ?? _options.Arguments,

@@ -52,7 +52,6 @@ public sealed partial class ProcessCamera : ICamera
     private bool _hasBytes;   // since the last whole picture
     private string? _end;     // how the program ended, while that may still be the end that was asked for
     private TimeSpan _endIsFaultAt;
-    private TimeSpan? _refusedSince;   // without one that could be used
     private long _number;
     private volatile bool _isStalled;
     private volatile bool _isStopping;
@@ -267,7 +266,6 @@ public sealed partial class ProcessCamera : ICamera
             return false;
         }
 
-        _refusedSince = null;
         _journal.Deliver();
         frame = new CameraFrame
         {
@@ -302,18 +300,11 @@ public sealed partial class ProcessCamera : ICamera
         _journal.Skip();
     }
 
-    // A program may go on to write pictures of which none can be used. Those that are left out are not looked at.
     private void RefuseWhole(string reason)
     {
         Refuse(reason);
-        _refusedSince ??= _arrived;
-        if (_arrived - _refusedSince > _options.StallTimeout)
-        {
-            Fail(
-                FormattableString.Invariant(
-                    $"it wrote only pictures that cannot be used for {_options.StallTimeout.TotalSeconds} s ({reason})"),
-                "it is started again");
-        }
+        if (_journal.FindOnlyRefused(reason, _arrived, _options.StallTimeout) is { } fault)
+            Fail(fault, "it is started again");
     }
 
     private void Refuse(string reason)

@@ -51,7 +51,6 @@ public sealed class V4l2Camera : ICamera
     private ReaderContext? _context;
     private V4l2Device? _device;
     private TimeSpan _lastBuffer;
-    private TimeSpan? _refusedSince;   // null after a picture that was good
     private uint? _lastSequence;
     private long _number = -1;
     private volatile bool _isStopping;
@@ -147,7 +146,8 @@ public sealed class V4l2Camera : ICamera
         try
         {
             _device = new V4l2Device(_system, _options);
-            (_lastBuffer, _lastSequence, _refusedSince) = (_context!.Now, null, null);
+            (_lastBuffer, _lastSequence) = (_context!.Now, null);
+            _journal.Begin();
             if (_bytes.Length < _device.MaxBytes)
                 _bytes = new byte[_device.MaxBytes];
             _journal.Log(_device.Card);
@@ -245,7 +245,6 @@ public sealed class V4l2Camera : ICamera
         frame = Stamp(device, buffer, now, monotonic);
         frame.Pixels = lease;
         _journal.Deliver();
-        _refusedSince = null;
         return true;
     }
 
@@ -284,16 +283,11 @@ public sealed class V4l2Camera : ICamera
         };
     }
 
-    // A device that hangs may go on to give pictures, none of them whole. Those that are left out are not looked at.
     private void Refuse(string reason, TimeSpan now)
     {
         if (_journal.Refuse(reason) is { } line)
             _journal.WriteLine(line);
-        _refusedSince ??= now;
-        if (now - _refusedSince > _options.StallTimeout)
-        {
-            Fail(FormattableString.Invariant(
-                $"it gave only pictures that cannot be used for {_options.StallTimeout.TotalSeconds} s ({reason})"));
-        }
+        if (_journal.FindOnlyRefused(reason, now, _options.StallTimeout) is { } fault)
+            Fail(fault);
     }
 }

@@ -186,7 +186,7 @@ public sealed partial class ProcessCameraTests : IDisposable
         Assert.Contains(
             _log,
             line => line.StartsWith(
-                "sh: it wrote only pictures that cannot be used for 0.4 s (", StringComparison.Ordinal));
+                "sh: it gave only pictures that cannot be used for 0.4 s (", StringComparison.Ordinal));
         Assert.True(camera.Restarts >= 1, $"{camera.Restarts} restarts");
     }
 

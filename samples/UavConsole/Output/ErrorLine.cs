@@ -1,0 +1,32 @@
+using System;
+using System.IO;
+
+namespace UavConsole;
+
+/// <summary>A fault on standard error: one line that names the program.</summary>
+internal static class ErrorLine
+{
+    /// <summary>Writes the line. Where standard error is closed too, the exit code remains.</summary>
+    /// <param name="errors">Where to.</param>
+    /// <param name="text">What is wrong; its first line is written.</param>
+    public static void Write(TextWriter errors, string text)
+    {
+        try
+        {
+            errors.WriteLine("UavConsole: " + FirstOf(text));
+        }
+        catch (IOException)
+        {
+            // Nobody can read it; it is no reason to end in another way.
+        }
+    }
+
+    // ArgumentException adds the parameter's name on a line or in brackets; a person needs the sentence alone.
+    public static string FirstOf(string text)
+    {
+        int end = text.IndexOf(" (Parameter '", StringComparison.Ordinal);
+        if (end < 0)
+            end = text.IndexOfAny(['\r', '\n']);
+        return end < 0 ? text : text.Substring(0, end);
+    }
+}
