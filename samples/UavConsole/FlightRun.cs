@@ -50,7 +50,7 @@ internal static class FlightRun
         {
             web?.Dispose();
             flight?.Dispose();
-            ErrorLine.Write(errors, e.Message);
+            FaultLine.Write(errors, e.Message);
             return BadInput;
         }
 
@@ -79,7 +79,7 @@ internal static class FlightRun
         foreach (string? loss in losses)
         {
             if (loss is not null)
-                ErrorLine.Write(errors, loss);
+                FaultLine.Write(errors, loss);
         }
 
         return losses.Any(l => l is not null) ? BadInput : summary.ExitCode;

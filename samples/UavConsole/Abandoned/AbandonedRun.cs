@@ -32,7 +32,7 @@ internal static class AbandonedRun
         }
         catch (Exception e) when (e is LinkException or ArgumentException or PlatformNotSupportedException)
         {
-            ErrorLine.Write(errors, e.Message);
+            FaultLine.Write(errors, e.Message);
             return BadInput;
         }
     }

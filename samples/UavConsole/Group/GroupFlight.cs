@@ -169,7 +169,7 @@ internal sealed class GroupFlight : IDisposable
         catch (ArgumentException e)
         {
             throw new ArgumentException(
-                $"vehicle {FlightText.Number(number + 1)}: {ErrorLine.FirstOf(e.Message)}", nameof(options), e);
+                $"vehicle {FlightText.Number(number + 1)}: {FaultLine.FirstOf(e.Message)}", nameof(options), e);
         }
     }
 }

@@ -38,7 +38,7 @@ internal static class GroupRun
         catch (ArgumentException e)
         {
             files?.Dispose();
-            ErrorLine.Write(errors, e.Message);
+            FaultLine.Write(errors, e.Message);
             return BadInput;
         }
 
@@ -89,7 +89,7 @@ internal static class GroupRun
             .. stop.IsCancellationRequested ? [] : NotGiven(flight),
         ];
         foreach (string loss in losses.OfType<string>())
-            ErrorLine.Write(errors, loss);
+            FaultLine.Write(errors, loss);
         return losses.Any(l => l is not null) ? BadInput : summary.HasPassed ? 0 : 1;
     }
 

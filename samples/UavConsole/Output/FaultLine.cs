@@ -4,7 +4,7 @@ using System.IO;
 namespace UavConsole;
 
 /// <summary>A fault on standard error: one line that names the program.</summary>
-internal static class ErrorLine
+internal static class FaultLine
 {
     /// <summary>Writes the line. Where standard error is closed too, the exit code remains.</summary>
     /// <param name="errors">Where to.</param>
@@ -17,7 +17,7 @@ internal static class ErrorLine
         }
         catch (IOException)
         {
-            // Nobody can read it; it is no reason to end in another way.
+            // It cannot be read; that is no reason to end in another way.
         }
     }
 
