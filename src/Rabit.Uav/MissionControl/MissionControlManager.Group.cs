@@ -32,6 +32,7 @@ public sealed partial class MissionControlManager
         private readonly MessagePublisher<GroupStatus> _status;
         private readonly MissionGroup _group;
         private TimeSpan? _reported;
+        private int _posted;   // the changes of the division that others know
 
         public GroupPort(MissionControlManager manager, MissionGroup group)
         {
@@ -84,10 +85,17 @@ public sealed partial class MissionControlManager
         /// <summary>The run: another one begins the numbers of its targets at 1 again.</summary>
         public void Begin(DateTimeOffset utc) => _group.BeginRun((ushort)(utc.Ticks / TimeSpan.TicksPerSecond));
 
-        public void Update(MissionFlight flight, MissionPhase phase) => _group.Update(flight, phase);
+        /// <summary>Another division is posted at once: who shows the group is not to be late by a period.</summary>
+        public void Update(MissionFlight flight, MissionPhase phase)
+        {
+            _group.Update(flight, phase);
+            if (_group.DivisionChanges != _posted)
+                Post(flight.Now);
+        }
 
         public void Post(TimeSpan now)
         {
+            _posted = _group.DivisionChanges;
             _status.Value = _group.Status(now);
             _status.Post();
         }

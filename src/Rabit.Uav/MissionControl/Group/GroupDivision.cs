@@ -10,7 +10,8 @@ namespace Rabit.Uav.MissionControl;
 /// Who flies which lanes. The author is the vehicle with the lowest system id among those that search and are received,
 /// and every vehicle works that out for itself: where the radio separates the group, each part has an author of its
 /// own, and where they meet again the lower one's division holds. The author divides again when vehicles come, go or
-/// are done, and repeats its division, so that a lost one is repaired. One thread.
+/// are done, or when the energy of one is too little for its lanes, and repeats its division, so that a lost one is
+/// repaired. One thread.
 /// </summary>
 internal sealed class GroupDivision
 {
@@ -143,10 +144,17 @@ internal sealed class GroupDivision
     {
         if (now - _made < BalancePeriod)
             return false;
-        bool isIdle = available.Any(m => m.Report.MetresLeft <= 0 && m.Report.DivisionNumber == Number);
-        return isIdle
-            && available.Any(m => m.Report.MetresLeft > MinBalanceSeconds * m.Report.SpeedMetresPerSecond);
+        var current = available.Where(m => m.Report.DivisionNumber == Number).Select(m => m.Report).ToArray();
+        bool isIdle = current.Any(r => r.MetresLeft <= 0);
+        return (isIdle && available.Any(m => SecondsLeft(m.Report) > MinBalanceSeconds))
+            || (current.Any(r => SpareSeconds(r) < 0) && current.Any(r => SpareSeconds(r) > MinBalanceSeconds));
     }
+
+    private static double SecondsLeft(in GroupReport report) => report.MetresLeft / report.SpeedMetresPerSecond;
+
+    // Of its energy, when its lanes are flown; below zero it would leave some of them to the others, when it returns.
+    private static double SpareSeconds(in GroupReport report)
+        => report.SearchTime.TotalSeconds - SecondsLeft(report);
 
     private void Set(byte author, ushort number, ImmutableArray<LaneShare> shares)
     {

@@ -46,8 +46,8 @@ public sealed class GroupOptions
     public double LayerSpacingMetres { get; set; } = 20;
 
     /// <summary>After what time without its report a vehicle counts as absent: its lanes are for others.</summary>
-    /// <value>2 to 60 s. The default is 4.5 s: four reports.</value>
-    public TimeSpan SilentAfter { get; set; } = TimeSpan.FromSeconds(4.5);
+    /// <value>2 to 60 s. The default is 4.2 s: the fourth report that is missed, and some latency.</value>
+    public TimeSpan SilentAfter { get; set; } = TimeSpan.FromSeconds(4.2);
 
     /// <summary>
     /// How long a vehicle that has flown its lanes waits for lanes of others at most, before it returns.

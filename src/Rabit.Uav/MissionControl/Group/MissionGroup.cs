@@ -57,6 +57,9 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
     /// </summary>
     public double SeenFractionOfOthers => _members.All.Select(m => m.Report.SeenFraction).DefaultIfEmpty(0).Max();
 
+    /// <summary>How often who flies which lanes has changed.</summary>
+    public int DivisionChanges => _division.Changes;
+
     public GroupStatus Status(TimeSpan now) => new()
     {
         Members = _members.All.Select(m => new GroupMember
