@@ -67,7 +67,10 @@ public sealed class SensorFusionOptions
     /// <value>The default is 2 m.</value>
     public double RegistrationSigmaMetres { get; set; } = 2;
 
-    /// <summary>How many tracks there may be, in any state; what would start one more is counted and dropped.</summary>
+    /// <summary>
+    /// How many tracks there may be, in any state. One more takes the place of the one that has not been reported for
+    /// the longest, of those that were never confirmed, or are lost; what finds no such place is counted and dropped.
+    /// </summary>
     /// <value>The default is 200.</value>
     public int MaxTracks { get; set; } = 200;
 

@@ -17,6 +17,7 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
     private readonly List<FusedTrack> _tracks = [];
     private readonly Assignment _assignment = new();
     private readonly TrackMerger _merger = new();
+    private readonly bool[] _isAssigned = new bool[options.MaxTracks];
     private long _observationCount;
 
     /// <summary>The tracks, by id.</summary>
@@ -56,10 +57,12 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
         IReadOnlyList<LocatedReport> reports, TimeSpan time, in Footprint footprint, List<FusedTrack?> updated)
     {
         _observationCount++;
-        int before = _tracks.Count;
         Pair(reports);
+        bool isChanged = MakeRoom(reports);
+        if (isChanged)
+            Pair(reports);
+        int before = _tracks.Count;
         updated.Clear();
-        bool isChanged = false;
         for (int i = 0; i < reports.Count; i++)
         {
             int column = _assignment.ColumnOf(i);
@@ -91,6 +94,59 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
         }
 
         _assignment.Solve();
+    }
+
+    // Clutter would fill the room within a minute, and keep out every target that comes after it.
+    private bool MakeRoom(IReadOnlyList<LocatedReport> reports)
+    {
+        int missing = _tracks.Count - options.MaxTracks;
+        Array.Clear(_isAssigned, 0, _isAssigned.Length);
+        for (int i = 0; i < reports.Count; i++)
+        {
+            int column = _assignment.ColumnOf(i);
+            if (column < 0)
+                missing++;
+            else
+                _isAssigned[column] = true;
+        }
+
+        int removed = 0;
+        for (; missing > 0 && FindLeast() is var least and >= 0; missing--, removed++)
+        {
+            _isAssigned.AsSpan(least + 1).CopyTo(_isAssigned.AsSpan(least));
+            Remove(least);
+        }
+
+        statistics.TracksDropped += removed;
+        return removed > 0;
+    }
+
+    // The track that has not been reported for the longest, of those that were never confirmed; else of those that are
+    // lost. None that the operator has decided on. Below zero where there is none.
+    private int FindLeast()
+    {
+        int least = -1;
+        for (int i = 0; i < _tracks.Count; i++)
+        {
+            FusedTrack track = _tracks[i];
+            bool isFree = !_isAssigned[i] && track.Decision == TargetDecision.None
+                && track.State is TrackState.Tentative or TrackState.Lost;
+            if (isFree && (least < 0 || IsLess(track, _tracks[least])))
+                least = i;
+        }
+
+        return least;
+    }
+
+    private static bool IsLess(FusedTrack track, FusedTrack than)
+        => (track.State == than.State)
+            ? track.LastSeen < than.LastSeen
+            : track.State == TrackState.Tentative;
+
+    private void Remove(int index)
+    {
+        _merger.Forget(_tracks[index].Id);
+        _tracks.RemoveAt(index);
     }
 
     private static Innovation Compare(FusedTrack track, in LocatedReport report)
@@ -170,8 +226,7 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
         {
             if (!IsToBeDeleted(_tracks[i], time))
                 continue;
-            _merger.Forget(_tracks[i].Id);
-            _tracks.RemoveAt(i);
+            Remove(i);
             dropped++;
         }
 

@@ -51,7 +51,9 @@ internal sealed class CoverageFlight : IDisposable
     private readonly Activity?[] _activities;
     private int _seen;
 
-    public CoverageFlight(int vehicles, long seed, SimulatedCameraOptions? camera = null, bool revisits = true)
+    public CoverageFlight(
+        int vehicles, long seed, SimulatedCameraOptions? camera = null, bool revisits = true,
+        SimulatedRadioOptions? radio = null, params SimulatedGroupFault[] faults)
     {
         _vehicles = vehicles;
         MissionPlan plan = MissionPlan.Parse(
@@ -75,14 +77,21 @@ internal sealed class CoverageFlight : IDisposable
         _activities = new Activity?[vehicles];
         Spans = Enumerable.Range(0, vehicles).Select(_ => new List<Activity>()).ToArray();
         _flight = new GroupFlight(
-            plan, new SimulatedGroupOptions { Vehicles = vehicles, World = world }, layerSpacingMetres: 19,
-            wire: Wire, isGroup: vehicles > 1);
+            plan,
+            new SimulatedGroupOptions
+            {
+                Vehicles = vehicles, World = world, Radio = radio ?? new SimulatedRadioOptions(), Faults = faults,
+            },
+            layerSpacingMetres: 19, wire: Wire, isGroup: vehicles > 1);
     }
 
     /// <summary>What each vehicle did, in their order.</summary>
     public List<Activity>[] Spans { get; }
 
     public GroupFlight Flight => _flight;
+
+    /// <summary>Called ten times in a second of the flight, to watch it.</summary>
+    public Action Stepped { get; set; } = () => { };
 
     public double TakeOffSeconds { get; private set; } = double.NaN;
 
@@ -134,6 +143,7 @@ internal sealed class CoverageFlight : IDisposable
             for (int i = 0; i < StepsPerSample; i++)
                 _flight.Group.Step();
             isOver = Sample();
+            Stepped();
         }
 
         for (int i = 0; i < _vehicles; i++)
@@ -199,7 +209,8 @@ internal sealed class CoverageFlight : IDisposable
                 TakeOffSeconds = now;
             if (isArmed)
                 LandedSeconds = now;
-            isOver &= mission.Phase is MissionPhase.Done or MissionPhase.Failed or MissionPhase.HandedOver;
+            isOver &= _flight.Group.Vehicles[i].IsLost
+                || mission.Phase is MissionPhase.Done or MissionPhase.Failed or MissionPhase.HandedOver;
             Begin(i, WhatOf(mission, now - _lastNew[i]));
         }
 

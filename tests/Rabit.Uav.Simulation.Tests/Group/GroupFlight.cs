@@ -5,6 +5,7 @@ using System.Linq;
 using System.Text;
 using Rabit.Core;
 using Rabit.Links;
+using Rabit.Uav.Communications;
 using Rabit.Uav.GroundControl;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
@@ -112,6 +113,7 @@ internal sealed class GroupFlight : IDisposable
                     [0] = SimulatedGroupVehicle.TelemetrySettings,
                     [1] = vehicle.RadioSettings,
                 },
+                SendBudgets = new Dictionary<int, SendBudget> { [1] = vehicle.RadioBudget },
             },
         });
         _systems.Add(uav);

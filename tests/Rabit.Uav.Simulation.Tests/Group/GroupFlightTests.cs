@@ -129,6 +129,42 @@ public sealed class GroupFlightTests
         Assert.Empty(flight.Group.TooNear);
     }
 
+    [Fact]
+    [Trait("Category", "Long")]
+    public void Flight_CameraOfOneIsDead_ReturnsAndTheOtherSeesTheArea()
+    {
+        var dead = new ScriptedFault
+        {
+            Kind = ScriptedFaultKind.CameraFreeze,
+            At = TimeSpan.FromSeconds(40),
+            Duration = TimeSpan.FromHours(1),
+        };
+        SimulationOptions world = SearchFlight.SmallWorld();
+        using GroupFlight flight = Open(
+            2, world, vehicleFaults: new Dictionary<int, IReadOnlyList<ScriptedFault>> { [1] = [dead] });
+        Assert.True(flight.RunToEnd(), flight.Log);
+        Assert.True(flight.Mission(0).Coverage >= 0.98, flight.Log);
+        Assert.True(flight.Mission(0).Result.Outcome == MissionOutcome.Accomplished, flight.Log);
+        Assert.NotEqual(MissionOutcome.Accomplished, flight.Mission(1).Result.Outcome);
+        Assert.Contains("camera", flight.LogOf(1));
+        Assert.Empty(flight.Group.TooNear);
+    }
+
+    // One mission, flown by each alone, from places beside each other.
+    [Fact]
+    public void TooNear_TwoThatFlyOneMissionWithoutAGroup_AreNamed()
+    {
+        SimulationOptions world = SearchFlight.SmallWorld();
+        world.TargetCount = 0;
+        using GroupFlight flight = Open(2, world, isGroup: false);
+        Assert.True(flight.RunUntil(() => flight.Group.TooNear.Count > 0, 120), flight.Log);
+        Separation near = Assert.Single(flight.Group.TooNear);
+        Assert.Equal((0, 1), (near.First, near.Second));
+        Assert.InRange(near.HorizontalMetres, 0, 30);
+        Assert.InRange(near.VerticalMetres, 0, 15);
+        Assert.InRange(near.Time, TimeSpan.FromSeconds(5), flight.Group.Now);
+    }
+
     private static string[] EventLogs(long seed)
     {
         using GroupFlight flight = Open(2, seed, hasEventLogs: true);
@@ -150,8 +186,8 @@ public sealed class GroupFlightTests
         SimulationOptions world = SearchFlight.SmallWorld();
         (world.Seed, world.TargetCount) = (5, targets);
         return Open(
-            2, world, hasEventLogs: false,
-            new SimulatedGroupFault(1, SimulatedGroupFaultKind.SwitchedOn, TimeSpan.FromSeconds(20)));
+            2, world,
+            faults: new SimulatedGroupFault(1, SimulatedGroupFaultKind.SwitchedOn, TimeSpan.FromSeconds(20)));
     }
 
     private static GroupFlight Open(
@@ -159,19 +195,28 @@ public sealed class GroupFlightTests
     {
         SimulationOptions world = SearchFlight.SmallWorld();
         world.Seed = seed;
-        return Open(vehicles, world, hasEventLogs, faults);
+        return Open(vehicles, world, hasEventLogs, faults: faults);
     }
 
     // Low, so that the small pictures show what lies there.
     private static GroupFlight Open(
-        int vehicles, SimulationOptions world, bool hasEventLogs, params SimulatedGroupFault[] faults)
+        int vehicles, SimulationOptions world, bool hasEventLogs = false, bool isGroup = true,
+        IReadOnlyDictionary<int, IReadOnlyList<ScriptedFault>>? vehicleFaults = null,
+        params SimulatedGroupFault[] faults)
     {
         MissionPlan plan = MissionPlan.Parse(
             SearchFlight.SmallMission.Replace("\"heightMetres\": 30", "\"heightMetres\": 18")
                 .Replace("\"laneSpacingMetres\": 22", "\"laneSpacingMetres\": 14"),
             "small");
         return new GroupFlight(
-            plan, new SimulatedGroupOptions { Vehicles = vehicles, World = world, Faults = faults },
-            layerSpacingMetres: 19, hasEventLogs);
+            plan,
+            new SimulatedGroupOptions
+            {
+                Vehicles = vehicles,
+                World = world,
+                Faults = faults,
+                VehicleFaults = vehicleFaults ?? new Dictionary<int, IReadOnlyList<ScriptedFault>>(),
+            },
+            layerSpacingMetres: 19, hasEventLogs, isGroup: isGroup);
     }
 }

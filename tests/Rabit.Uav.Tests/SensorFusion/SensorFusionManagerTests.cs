@@ -216,15 +216,6 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Tracks_NoRoom_IsCounted()
-    {
-        using var rig = new FusionRig(o => o.MaxTracks = 3);
-        rig.Observe(0, 0, Enumerable.Range(0, 5).Select(i => Report(0, (10 * i) - 20)).ToArray());
-        Assert.Equal(3, rig.Tracks.Count);
-        Assert.Equal(2, rig.Counters.ReportsWithoutRoom);
-    }
-
-    [Fact]
     public void VehicleMessages_ConfirmedTrack_IsSharedOnceASecond()
     {
         using var rig = new FusionRig();
