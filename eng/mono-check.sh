@@ -129,6 +129,16 @@ search_is_the_same() {
     dotnet run eng/compare-searches.cs -- "$results"/search.net.{log,json} "$results"/search.mono.{log,json}
 }
 
+# Two vehicles that divide lanes and validate each other's targets: the same decisions, at the same times to a second.
+group_search_is_the_same() {
+    local options=(--vehicles 2 --seed 4 --targets 3 --mission tests/data/missions/group.json --headless)
+    dotnet artifacts/bin/UavConsole/debug/UavConsole.dll "${options[@]}" --log "$results/group.net.log" \
+        --report "$results/group.net.html" > "$results/group.net.txt" &&
+    mono artifacts-mono/bin/UavConsole/debug/UavConsole.exe "${options[@]}" --log "$results/group.mono.log" \
+        --report "$results/group.mono.html" > "$results/group.mono.txt" &&
+    dotnet run eng/compare-groups.cs -- "$results"/group.{net,mono}.log
+}
+
 # The figures of a quick run say nothing; that every mode works does, of the build that is there.
 latencies_work() {
     mono artifacts-mono/bin/Rabit.Latency/debug/Rabit.Latency.exe --quick > "$results/latency.txt"
@@ -171,6 +181,7 @@ for flight in "${flights[@]}"; do
     check "the summary of $flight is the same" flight_is_the_same "$flight"
 done
 check "the simulated search is the same" search_is_the_same
+check "the simulated search of a group is the same" group_search_is_the_same
 
 echo "$passed passed, $failed failed"
 [ $failed -eq 0 ]
