@@ -43,7 +43,7 @@ static Dictionary<string, List<double>> Decisions(string file)
     foreach (Match line in File.ReadLines(file).Select(l => Regex.Match(l, Line)).Where(m => m.Success))
     {
         string text = Regex.Replace(line.Groups["text"].Value, Number, "#");
-        if (text.Contains(": command ", StringComparison.Ordinal) || text.Contains(": Ended, ", StringComparison.Ordinal))
+        if (Regex.IsMatch(text, @": (command \d|Ended, \d)"))
             continue;
         string decision = $"{line.Groups["vehicle"]}: {text}";
         if (!decisions.TryGetValue(decision, out List<double>? times))
@@ -55,4 +55,6 @@ static Dictionary<string, List<double>> Decisions(string file)
 }
 
 static string Text(List<double> times)
-    => times.Count == 0 ? "never" : string.Join(", ", times.Select(t => t.ToString("0.0", CultureInfo.InvariantCulture)));
+    => times.Count == 0
+        ? "never"
+        : string.Join(", ", times.Select(t => t.ToString("0.0", CultureInfo.InvariantCulture)));
