@@ -78,7 +78,7 @@ public sealed class GroupOverUdpTests(ITestOutputHelper output) : IDisposable
 
     private SampleProcess StartConsole(int number, int telemetry, int[] radio)
     {
-        string settings = $",rate=3600,optional,allow-out=0+33+385+@{number + 1}/191";
+        string settings = $",rate=3600,optional,allow-out=0+33+77+253+385+@{number + 1}/191";
         return Start(
             "UavConsole",
             [
