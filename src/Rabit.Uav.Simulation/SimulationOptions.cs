@@ -23,6 +23,7 @@ namespace Rabit.Uav.Simulation;
 public sealed class SimulationOptions
 {
     private const double MaxWind = 25;
+    private const double MaxBarometerDrift = 20;
 
     /// <summary>
     /// All that is left to chance follows from it: targets, texture, gusts, errors of the sensors, times on the link.
@@ -63,6 +64,14 @@ public sealed class SimulationOptions
     /// </summary>
     /// <value>The default is null.</value>
     public double? ClockDriftPpm { get; set; }
+
+    /// <summary>
+    /// How far the autopilot's altitude, by which the vehicle is steered, drifts from the true one, and from that of its
+    /// satellite receiver: a barometer follows the weather and warms up. Standard deviation in the long run, metres, with
+    /// ten minutes of correlation; it begins at zero. 0 to 20.
+    /// </summary>
+    /// <value>The default is 0: what the error of the position has on each axis is all.</value>
+    public double BarometerDriftMetres { get; set; }
 
     /// <summary>After what time of the run the autopilot knows where it is.</summary>
     /// <value>The default is 5 s.</value>
@@ -242,6 +251,12 @@ public sealed class SimulationOptions
         if (PositionAfter < TimeSpan.Zero)
             yield return FormattableString.Invariant(
                 $"{nameof(PositionAfter)} is {PositionAfter}; it must not be negative");
+        if (!(BarometerDriftMetres >= 0 && BarometerDriftMetres <= MaxBarometerDrift))
+        {
+            yield return FormattableString.Invariant(
+                $"{nameof(BarometerDriftMetres)} is {BarometerDriftMetres}; it must be 0 to {MaxBarometerDrift}");
+        }
+
         if (!IsWind(WindMetresPerSecond))
             yield return FormattableString.Invariant(
                 $"{nameof(WindMetresPerSecond)} is {WindMetresPerSecond}; it must be 0 to {MaxWind}");

@@ -25,6 +25,9 @@ internal struct AutopilotState
     /// <summary>How far what the GPS says is off to the north, metres.</summary>
     public double GpsErrorNorth;
 
+    /// <summary>What of the error of the position is the barometer's, metres down: the GPS does not have it.</summary>
+    public double BarometerErrorDown;
+
     /// <summary>Whether it reports of its satellites that there is no fix, whatever there is.</summary>
     public bool HidesFix;
 

@@ -85,7 +85,8 @@ internal sealed partial class TelemetrySender
     {
         bool hasFix = _state.HasPosition && _state.HasGps && !_state.HidesFix;
         GeodeticPosition place = hasFix
-            ? frame.ToPlace(_state.Position.Plus(new NedVector(_state.GpsErrorNorth, 0, 0)))
+            ? frame.ToPlace(_state.Position.Plus(
+                new NedVector(_state.GpsErrorNorth, 0, -_state.BarometerErrorDown)))
             : default;
         double course = Math.Atan2(_state.Velocity.East, _state.Velocity.North) / NedMath.RadiansPerDegree;
         sink.Send(new GpsRawInt

@@ -16,6 +16,7 @@ internal sealed class NavigationErrors
     private const double PositionNoise = 0.3;      // metres
     private const double VelocityNoise = 0.1;      // m/s
     private const double NoiseSeconds = 0.3;
+    private const double BarometerSeconds = 600;
     private const double AngleConstant = 0.7 * NedMath.RadiansPerDegree;
     private const double AngleNoise = 0.3 * NedMath.RadiansPerDegree;
     private const double AngleSeconds = 0.1;
@@ -26,8 +27,12 @@ internal sealed class NavigationErrors
     private readonly ColouredNoise[] _position;
     private readonly ColouredNoise[] _velocity;
     private readonly ColouredNoise[] _angle;
+    private readonly ColouredNoise _barometer;
 
-    public NavigationErrors(long seed, double step)
+    /// <param name="seed">Of the world.</param>
+    /// <param name="step">Seconds.</param>
+    /// <param name="barometerDriftMetres">See <see cref="SimulationOptions.BarometerDriftMetres"/>.</param>
+    public NavigationErrors(long seed, double step, double barometerDriftMetres = 0)
     {
         var once = new SimulationRandom(seed, "navigation constants");
         _positionConstant = new NedVector(
@@ -38,11 +43,17 @@ internal sealed class NavigationErrors
         _walk = ThreeOf(new SimulationRandom(seed, "position walk"), WalkSigma, WalkSeconds, step, startsAtZero: true);
         _position = ThreeOf(new SimulationRandom(seed, "position noise"), PositionNoise, NoiseSeconds, step);
         _velocity = ThreeOf(new SimulationRandom(seed, "velocity noise"), VelocityNoise, NoiseSeconds, step);
+        _barometer = new ColouredNoise(
+            new SimulationRandom(seed, "barometer"), barometerDriftMetres, BarometerSeconds, step, startsAtZero: true);
         _angle = ThreeOf(new SimulationRandom(seed, "attitude noise"), AngleNoise, AngleSeconds, step);
     }
 
     /// <summary>The part of the position's error that changes slowly: what the vehicle is steered by, metres.</summary>
-    public NedVector SteadyPosition => _positionConstant.Plus(Of(_walk));
+    public NedVector SteadyPosition
+        => _positionConstant.Plus(Of(_walk)).Plus(new NedVector(0, 0, BarometerDown));
+
+    /// <summary>Of that what the barometer has drifted by, metres down; the satellite receiver is not wrong by it.</summary>
+    public double BarometerDown => _barometer.Value;
 
     /// <summary>The whole error of the reported position, metres.</summary>
     public NedVector EstimatedPosition => SteadyPosition.Plus(Of(_position));
@@ -58,6 +69,7 @@ internal sealed class NavigationErrors
 
     public void Step()
     {
+        _barometer.Step();
         for (int axis = 0; axis < 3; axis++)
         {
             _walk[axis].Step();

@@ -57,7 +57,7 @@ internal sealed class SimulatedVehicle : ILinkSink
         _reports = new ReportFaults(_script);
         _secondLink = new SecondLink(options, frame, _script);
         _positionAfter = options.PositionAfter;
-        _errors = new NavigationErrors(options.Seed, StepSeconds);
+        _errors = new NavigationErrors(options.Seed, StepSeconds, options.BarometerDriftMetres);
         Body = new Multirotor { Yaw = options.Heading.Radians };
         (double pitch, double yaw) = (options.Camera.Pitch.Radians, options.Camera.Yaw.Radians);
         GimbalFrame frameOfMount = options.Camera.GimbalFrame;
@@ -290,6 +290,7 @@ internal sealed class SimulatedVehicle : ILinkSink
             UtcMicroseconds = _utcMicroseconds,
             HasPosition = Autopilot.HasPosition,
             HasGps = HasGps,
+            BarometerErrorDown = _errors.BarometerDown,
             GpsErrorNorth = _script.ValueOf(ScriptedFaultKind.GpsGlitch, _time) ?? 0,
             Position = Body.Position.Plus(_errors.EstimatedPosition),
             Velocity = Body.Velocity.Plus(_errors.EstimatedVelocity),

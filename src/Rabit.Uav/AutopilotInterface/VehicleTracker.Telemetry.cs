@@ -12,6 +12,11 @@ internal sealed partial class VehicleTracker
     private const double RadiansPerDegE7 = Angle.RadiansPerDegree * 1e-7;
     private const int NorthPoleDegE7 = 900_000_000;
     private const int DateLineDegE7 = 1_800_000_000;
+    private const double MillimetresPerMetre = 1000;
+
+    // Nothing that we fly with is outside.
+    private const double MinAltitudeMetres = -1000;
+    private const double MaxAltitudeMetres = 20_000;
 
     // A clock that says less is not set, one that says more is wrong: 2000-01-01 and 2100-01-01 UTC in microseconds
     // since 1970.
@@ -128,6 +133,11 @@ internal sealed partial class VehicleTracker
         _state.GpsTime = time;
         _state.GpsFix = message.FixType;
         _state.Satellites = message.SatellitesVisible;
+        double altitude = message.Alt / MillimetresPerMetre;
+        bool isKnown = message.FixType is >= GpsFixType.Type3dFix and <= GpsFixType.Ppp
+            && altitude is >= MinAltitudeMetres and <= MaxAltitudeMetres;
+        _state.GnssAltitudeAmslMetres = isKnown ? altitude : null;
+        _state.GnssAltitudeSigmaMetres = isKnown && message.VAcc > 0 ? message.VAcc / MillimetresPerMetre : null;
         return VehicleEvents.Changed;
     }
 

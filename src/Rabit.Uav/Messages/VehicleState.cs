@@ -136,6 +136,16 @@ public struct VehicleState
     public int Satellites { get; set; }
 
     /// <summary>
+    /// The height above mean sea level that the satellite receiver reports by itself, metres, at <see cref="GpsTime"/>:
+    /// that of <see cref="Position"/> is the estimator's, which mostly goes by the barometer. Null where the receiver
+    /// has no fix in three dimensions, or reports a height that cannot be.
+    /// </summary>
+    public double? GnssAltitudeAmslMetres { get; set; }
+
+    /// <summary>How uncertain that is by the receiver, metres; null where it does not know it.</summary>
+    public double? GnssAltitudeSigmaMetres { get; set; }
+
+    /// <summary>
     /// The autopilot's UTC from satellites, microseconds since 1970, true at <see cref="UtcTime"/>; 0 where it does not
     /// know it.
     /// </summary>

@@ -173,6 +173,12 @@ internal sealed partial class MissionFlight(
     /// <summary>Above home.</summary>
     public double HeightMetres => Vehicle.HeightAboveHomeMetres;
 
+    /// <summary>
+    /// Added to the height of each goal, metres: in a group, what the autopilot's altitude has drifted by since the
+    /// take-off, so that the layers stay apart.
+    /// </summary>
+    public double HeightOffsetMetres { get; set; }
+
     /// <summary>Above ground where the mission follows terrain, else above home.</summary>
     public double HeightAboveGroundMetres
         => Plan?.Terrain is { } terrain && terrain.GroundMetres(Position) is var ground && !double.IsNaN(ground)
@@ -249,7 +255,7 @@ internal sealed partial class MissionFlight(
     /// </param>
     public bool IsAtHeight(PlanePoint at, double heightMetres, double toleranceMetres)
     {
-        double off = HeightMetres - Plan!.HeightAboveHome(at, heightMetres);
+        double off = HeightMetres - Plan!.HeightAboveHome(at, heightMetres) - HeightOffsetMetres;
         double higher = Plan.Terrain is { } terrain
             ? terrain.MaxSlope * PathFollower.MaxGoalMetres(Mission.SpeedMetresPerSecond)
             : 0;
@@ -267,6 +273,7 @@ internal sealed partial class MissionFlight(
     {
         if (Plan!.Terrain is not null)
             heightMetres = HeightOnTheWay(to, heightMetres);
+        heightMetres += HeightOffsetMetres;
         GeodeticPosition position = Plan.Frame.ToGeodetic(new NedPosition(to.North, to.East, -heightMetres));
         var command = new VehicleCommand
         {

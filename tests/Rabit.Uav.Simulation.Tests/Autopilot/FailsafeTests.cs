@@ -196,6 +196,23 @@ public class FailsafeTests
         Assert.Equal(MavResult.Accepted, ground.SetMode(CopterMode.Guided));
     }
 
+    // The vehicle is steered by the barometer; the receiver says where it is.
+    [Fact]
+    public void Gps_BarometerDrifts_ReportsTheTrueAltitude()
+    {
+        using var ground = new Ground(
+            new SimulationOptions { Seed = 3, WindMetresPerSecond = 0, BarometerDriftMetres = 20 });
+        ground.Stream(GpsRawInt.MavlinkId, 10);
+        ground.Stream(GlobalPositionInt.MavlinkId, 10);
+        ground.TakeOff(60);
+        ground.Run(240);
+        double height = -ground.Truth.Pose.Position.Down;
+        double reported = ground.Last<GlobalPositionInt>().RelativeAlt / 1000.0;
+        Assert.True(Math.Abs(height - reported) > 6, $"{height} m, {reported} m reported");
+        double gnss = (ground.Last<GpsRawInt>().Alt - ground.Last<GlobalPositionInt>().Alt) / 1000.0;
+        Assert.InRange(reported + gnss - height, -4, 4);
+    }
+
     [Fact]
     public void Gps_Glitch_SetsTheFlagAndFliesOn()
     {

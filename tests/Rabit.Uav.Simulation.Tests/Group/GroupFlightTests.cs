@@ -150,6 +150,24 @@ public sealed class GroupFlightTests
         Assert.Empty(flight.Group.TooNear);
     }
 
+    // Of each in its own way: they are steered by it, and corrected by their satellite receivers.
+    [Theory]
+    [Trait("Category", "Long")]
+    [InlineData(5)]
+    [InlineData(6)]
+    [InlineData(7)]
+    public void Flight_BarometersDrift_BothSearchAllAndKeepApart(long seed)
+    {
+        SimulationOptions world = SearchFlight.SmallWorld();
+        (world.Seed, world.BarometerDriftMetres) = (seed, 5);
+        using GroupFlight flight = Open(2, world);
+        Assert.True(flight.RunToEnd(), flight.Log);
+        Assert.All(Vehicles(2), i => Assert.True(flight.Mission(i).Coverage >= 0.98, flight.Log));
+        Assert.Empty(flight.Group.TooNear);
+        Assert.All(Vehicles(2), i => Assert.True(
+            flight.Mission(i).Result.Outcome == MissionOutcome.Accomplished, flight.Log));
+    }
+
     // One mission, flown by each alone, from places beside each other.
     [Fact]
     public void TooNear_TwoThatFlyOneMissionWithoutAGroup_AreNamed()

@@ -127,6 +127,29 @@ public class PartsTests
     }
 
     [Fact]
+    public void Errors_BarometerDrifts_SlowlyAndAsFarAsStated()
+    {
+        var ends = new List<double>();
+        double largest = 0;
+        for (int seed = 1; seed <= 100; seed++)
+        {
+            var errors = new NavigationErrors(seed, step: 1, barometerDriftMetres: 5);
+            Assert.Equal(0, errors.BarometerDown);
+            for (int second = 0; second < 1800; second++)
+            {
+                double before = errors.BarometerDown;
+                errors.Step();
+                largest = Math.Max(largest, Math.Abs(errors.BarometerDown - before));
+            }
+
+            ends.Add(errors.BarometerDown);
+        }
+
+        Assert.InRange(Sigma(ends), 4, 6);
+        Assert.InRange(largest, 0.5, 2);
+    }
+
+    [Fact]
     public void Random_ItsNumbers_AreThoseOfTheNormalDistribution()
     {
         var random = new SimulationRandom(11, "test");

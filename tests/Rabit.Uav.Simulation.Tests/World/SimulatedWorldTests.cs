@@ -285,6 +285,7 @@ public class SimulatedWorldTests(ITestOutputHelper output)
         var options = new SimulationOptions
         {
             WindMetresPerSecond = -1,
+            BarometerDriftMetres = double.NaN,
             BatteryRemaining = 2,
             Area = [],
             Faults =
@@ -298,8 +299,8 @@ public class SimulatedWorldTests(ITestOutputHelper output)
         };
         var e = Assert.Throws<ArgumentException>(() => new SimulatedWorld(options));
         foreach (string name
-            in (string[])["WindMetresPerSecond", "BatteryRemaining", "Area", "PilotMode", "LinkSilent", "Gust at",
-                "ComputerHot", "DiskLow"])
+            in (string[])["WindMetresPerSecond", "BarometerDriftMetres", "BatteryRemaining", "Area", "PilotMode",
+                "LinkSilent", "Gust at", "ComputerHot", "DiskLow"])
             Assert.Contains(name, e.Message, StringComparison.Ordinal);
     }
 

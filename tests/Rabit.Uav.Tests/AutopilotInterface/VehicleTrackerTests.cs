@@ -209,6 +209,24 @@ public class VehicleTrackerTests(ITestOutputHelper output)
         Assert.Equal((MavLandedState.InAir, TimeSpan.FromSeconds(3)), (state.LandedState, state.LandedStateTime));
     }
 
+    [Theory]
+    [InlineData(GpsFixType.Type3dFix, 488_250, 1500u, 488.25, 1.5)]
+    [InlineData(GpsFixType.RtkFixed, -12_000, 0u, -12.0, null)]
+    [InlineData(GpsFixType.Type2dFix, 488_250, 1500u, null, null)]
+    [InlineData(GpsFixType.NoFix, 488_250, 1500u, null, null)]
+    [InlineData((GpsFixType)200, 488_250, 1500u, null, null)]
+    [InlineData(GpsFixType.Type3dFix, int.MinValue, 1500u, null, null)]
+    [InlineData(GpsFixType.Type3dFix, int.MaxValue, 1500u, null, null)]
+    public void Update_AltitudeOfTheReceiver_IsTakenWhereItCanBe(
+        GpsFixType fix, int millimetres, uint sigmaMillimetres, double? expected, double? sigma)
+    {
+        VehicleTracker tracker = ConnectedTracker();
+        Update(tracker, new GpsRawInt { FixType = GpsFixType.Type3dFix, Alt = 1000, VAcc = 1 }, 1);
+        Update(tracker, new GpsRawInt { FixType = fix, Alt = millimetres, VAcc = sigmaMillimetres }, 2);
+        Assert.Equal(
+            (expected, sigma), (tracker.State.GnssAltitudeAmslMetres, tracker.State.GnssAltitudeSigmaMetres));
+    }
+
     // The flags that ap-gps-ekf-failsafe and px4-gps-loss record.
     [Theory]
     [InlineData(0x033F, true)]

@@ -50,6 +50,7 @@ internal sealed partial class StandInVehicle
             DescribePosition(ref state);
         state.GpsTime = Now;
         state.GpsFix = Fix;
+        state.GnssAltitudeAmslMetres = state.Position.AltitudeAmslMetres + GnssAboveMetres;
         state.BatteryTime = Now;
         state.BatteryRemaining = Battery;
         More?.Invoke(ref state);

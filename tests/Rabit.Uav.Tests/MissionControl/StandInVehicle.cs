@@ -96,6 +96,9 @@ internal sealed partial class StandInVehicle : RabitManager
 
     public double Battery { get; set; } = 0.9;
 
+    /// <summary>How much higher it is by its satellite receiver; null where that says nothing.</summary>
+    public double? GnssAboveMetres { get; set; }
+
     /// <summary>What else is reported; null for nothing.</summary>
     public Describer? More { get; set; }
 

@@ -86,7 +86,8 @@ internal sealed class GiveWay(GroupSeparation separation, Action<string> log)
     {
         var velocity = new PlanePoint(flight.Vehicle.VelocityNed.North, flight.Vehicle.VelocityNed.East);
         _at = flight.Position + (velocity.Length / (2 * BrakingMetresPerSecondSquared) * velocity);
-        (_wanted, _heightAboveGround) = (flight.GoalPosition, flight.HeightAboveGroundMetres);
+        _wanted = flight.GoalPosition;
+        _heightAboveGround = flight.HeightAboveGroundMetres - flight.HeightOffsetMetres;
         _yaw = flight.Vehicle.Attitude.Yaw.Radians;
     }
 

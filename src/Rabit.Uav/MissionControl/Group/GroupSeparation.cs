@@ -55,12 +55,13 @@ internal sealed class GroupSeparation(GroupMembers members)
 
     /// <summary>A vehicle below us, through whose layer we would sink here; null where there is none.</summary>
     /// <param name="flight">The state of the mission; with a plan.</param>
-    public byte? FindBelow(MissionFlight flight)
+    /// <param name="own">What we report.</param>
+    public byte? FindBelow(MissionFlight flight, in GroupReport own)
     {
         foreach ((byte id, GroupTraffic traffic) in members.PresentTraffic(flight.Now))
         {
             GeodeticPosition at = traffic.Report.Position;
-            bool isBelow = at.AltitudeAmslMetres < flight.Vehicle.Position.AltitudeAmslMetres;
+            bool isBelow = at.AltitudeAmslMetres < own.Position.AltitudeAmslMetres;
             if (!isBelow || !IsFlying(traffic.Report))
                 continue;
             for (double s = 0; s <= HorizonSeconds; s += StepSeconds)

@@ -111,6 +111,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         if (SystemId == 0 || flight.Vehicle.PositionTime is null)
             return;
         NotePlan(flight);
+        UpdateAltitude(flight);
         _own = ReportOf(flight, phase);
         (byte SystemId, GroupReport Report)[] present = _members.Present(flight.Now).ToArray();
         if (Lanes is { } lanes)
@@ -320,37 +321,6 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         LanesKey = lanes.Key,
         Number = _division.Number,
         Shares = _division.Shares,
-    };
-
-    private GroupReport ReportOf(MissionFlight flight, MissionPhase phase)
-    {
-        GeodeticPosition landing = flight.Plan?.Frame.Origin ?? flight.Vehicle.Position;
-        EnergyStatus energy = flight.Energy.Status;
-        return new GroupReport
-        {
-            LanesKey = KeyOf(flight.Mission),
-            State = StateOf(flight, phase),
-            Position = flight.Vehicle.Position,
-            LandingPlace = landing,
-            SearchAltitudeAmslMetres = landing.AltitudeAmslMetres + flight.Mission.HeightMetres,
-            SpeedMetresPerSecond = flight.Mission.SpeedMetresPerSecond,
-            SearchTime = energy.IsKnown ? energy.TimeToReturn : TimeSpan.FromSeconds(UnlimitedSeconds),
-            MetresLeft = _doneSince is null ? flight.Route?.MetresLeft ?? 0 : 0,
-            SeenFraction = flight.Route?.Coverage.Fraction ?? 0,
-            DivisionAuthor = _division.Author,
-            DivisionNumber = _division.Number,
-        };
-    }
-
-    // Who cannot command its autopilot can take over nothing.
-    private GroupMemberState StateOf(MissionFlight flight, MissionPhase phase) => phase switch
-    {
-        MissionPhase.WaitingForVehicle or MissionPhase.Holding => GroupMemberState.Waiting,
-        _ when !flight.IsConnected => GroupMemberState.Leaving,
-        MissionPhase.Revisiting when CurrentFollow is not null => GroupMemberState.Following,
-        MissionPhase.Arming or MissionPhase.TakingOff or MissionPhase.InTransit or MissionPhase.Searching
-            or MissionPhase.Revisiting => GroupMemberState.Available,
-        _ => GroupMemberState.Leaving,
     };
 
     private static ImmutableArray<LaneShare> Divide(

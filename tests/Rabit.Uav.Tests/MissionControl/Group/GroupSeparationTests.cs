@@ -48,6 +48,21 @@ public sealed class GroupSeparationTests(ITestOutputHelper output)
         Assert.True(isFound);
     }
 
+    // 20 m of height between two would become 12.5 m by their barometers; their satellite receivers show it.
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void Flight_BarometersDrift_LayersStayApartByTheSatelliteReceivers(bool hasGnss)
+    {
+        using var flight = new SeparationFlight(507, driftMetres: 5, hasGnss: hasGnss);
+        flight.Fly();
+        Assert.True(flight.HasEnded, flight.Story);
+        Assert.True(hasGnss == (flight.TooNear.Count == 0), flight.TooNear.FirstOrDefault() + flight.Story);
+    }
+
+    [Fact, Trait("Category", "Long")]
+    public void Flights_BarometersDrift_KeepTheVehiclesApart() => Fly(501, 50, sinks: false, driftMetres: 5);
+
     [Fact]
     [Trait("Category", "Long")]
     public void Flights_OfTwoHundredSeeds_KeepTheVehiclesApart()
@@ -62,13 +77,23 @@ public sealed class GroupSeparationTests(ITestOutputHelper output)
     [Trait("Category", "Long")]
     public void Flights_OneSinksIntoTheLayerOfAnother_KeepTheVehiclesApart() => Fly(301, 100, sinks: true);
 
-    private (int Passes, int Validated, int Followed) Fly(int first, int flights, bool sinks)
+    // It searches all that it does not know to be seen, in its own layer, and so do the others in theirs.
+    [Fact]
+    [Trait("Category", "Long")]
+    public void Flights_RadioOfOneFails_KeepTheVehiclesApart()
+    {
+        (int passes, _, _) = Fly(401, 100, sinks: false, losesRadio: true);
+        Assert.True(passes > 100, $"{passes} passes");
+    }
+
+    private (int Passes, int Validated, int Followed) Fly(
+        int first, int flights, bool sinks, bool losesRadio = false, double driftMetres = 0)
     {
         var faults = new List<string>();
         (double least, int passes, int validated, int followed) = (double.PositiveInfinity, 0, 0, 0);
         for (int seed = first; seed < first + flights; seed++)
         {
-            using var flight = new SeparationFlight(seed, sinks: sinks);
+            using var flight = new SeparationFlight(seed, sinks: sinks, losesRadio: losesRadio, driftMetres: driftMetres);
             flight.Fly();
             (least, passes) = (Math.Min(least, flight.MinHeightMetres), passes + flight.Passes);
             (validated, followed) = (validated + flight.Validations, followed + flight.Followed);
