@@ -9,8 +9,8 @@ namespace Rabit.Uav.SensorFusion.Moving;
 /// </summary>
 internal sealed class RegistrationSlots
 {
-    /// <summary>How many sources there is room for.</summary>
-    public const int Capacity = 4;
+    /// <summary>How many sources there is room for: the vehicles of a group.</summary>
+    public const int Capacity = 8;
 
     private readonly byte[] _sources = new byte[Capacity];
     private readonly HorizontalCovariance[] _covariances = new HorizontalCovariance[Capacity];
