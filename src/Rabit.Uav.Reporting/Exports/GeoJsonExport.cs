@@ -141,6 +141,7 @@ internal sealed class GeoJsonExport
         _json.WriteString("name", ExportedFlight.Printable(truth.Name));
         _json.WriteString("class", ExportedFlight.Printable(TargetClassNames.Name(truth.Class)));
         _json.WriteBoolean("found", truth.IsFound);
+        _json.WriteBoolean("rejected", truth.IsRejected);
         _features.BeginGeometry("Point");
         WritePosition(truth.Position);
         _features.End();

@@ -113,8 +113,13 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
 
     private void WriteMissed(TargetScore target)
     {
-        page.OpenTargetCard("missed", target.Name, target.Class, "missed");
-        page.Element("p", "No vehicle has a confirmed track of this class within 10 m.", "class", "note").Close();
+        page.OpenTargetCard("missed", target.Name, target.Class, target.IsRejected ? "rejected" : "missed");
+        page.Element(
+            "p",
+            target.IsRejected
+                ? "It was seen, and an operator rejected its track."
+                : "No vehicle has a confirmed track of this class within 10 m.",
+            "class", "note").Close();
     }
 
     // Targets of a class that moves are not validated.

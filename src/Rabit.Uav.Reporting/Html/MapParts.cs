@@ -80,14 +80,14 @@ internal sealed class MapParts(PageWriter page, MapFrame frame)
     private void WriteTruth(TargetScore target)
     {
         (double x, double y) = frame.ToMap(target.Position);
+        string result = target.IsFound ? "found" : target.IsRejected ? "rejected" : "missed";
         page.Open("g", "class", target.IsFound ? "truth" : "truth missed");
-        page.Element(
-            "title", $"{target.Name}: {TargetClassNames.Name(target.Class)}, {(target.IsFound ? "found" : "missed")}");
+        page.Element("title", $"{target.Name}: {TargetClassNames.Name(target.Class)}, {result}");
         if (!target.IsFound)
             page.Empty("circle", "cx", N(x), "cy", N(y), "r", "16");
         page.Empty("path", "d", $"M{N(x - 17)} {N(y)}h34m-17 -17v34");
         if (!target.IsFound)
-            page.Element("text", $"{target.Name} missed", "x", N(x + 20), "y", N(y + 5), "class", "label");
+            page.Element("text", $"{target.Name} {result}", "x", N(x + 20), "y", N(y + 5), "class", "label");
         page.Close();
     }
 

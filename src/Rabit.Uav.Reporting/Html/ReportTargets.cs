@@ -38,8 +38,13 @@ internal sealed class ReportTargets(PageWriter page, FlightSummary data)
 
     private void WriteMissed(TargetScore target)
     {
-        page.OpenTargetCard("missed", target.Name, target.Class, "missed");
-        page.Element("p", "There is no confirmed track of this class within 10 m.", "class", "note");
+        page.OpenTargetCard("missed", target.Name, target.Class, target.IsRejected ? "rejected" : "missed");
+        page.Element(
+            "p",
+            target.IsRejected
+                ? "It was seen, and the operator rejected its track."
+                : "There is no confirmed track of this class within 10 m.",
+            "class", "note");
         page.Open("dl");
         PlaceFacts("really at", target.Position);
         page.Close().Close();

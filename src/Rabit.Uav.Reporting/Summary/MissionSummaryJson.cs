@@ -112,6 +112,7 @@ internal static class MissionSummaryJson
         json.WriteString("class", TargetClassNames.Name(target.Class));
         WritePosition(json, target.Position);
         json.WriteBoolean("found", target.IsFound);
+        json.WriteBoolean("rejected", target.IsRejected);
         if (target.Track is { } track)
         {
             json.WriteNumber("trackId", track.Id);
