@@ -1,4 +1,5 @@
 using System;
 using Rabit.Latency;
+using Rabit.Latency.StartUp;
 
-return Runner.Run(args, Console.Out, Console.Error);
+return StartUpProgram.IsAsked(args) ? StartUpProgram.Run(args[0]) : Runner.Run(args, Console.Out, Console.Error);

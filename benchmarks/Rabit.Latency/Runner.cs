@@ -13,6 +13,7 @@ using Rabit.Latency.PingPong;
 using Rabit.Latency.Reporting;
 using Rabit.Latency.Runs;
 using Rabit.Latency.Soak;
+using Rabit.Latency.StartUp;
 using Rabit.Latency.Supervision;
 using Rabit.Latency.Throughput;
 using Rabit.Latency.Wake;
@@ -39,6 +40,7 @@ internal static class Runner
         ("realtime", options => [RealTimeMode.Run(options)]),
         ("inversion", options => [InversionMode.Run(options)]),
         ("idle", IdleMode.Run),
+        ("start-up", options => [StartUpMode.Run(options)]),
         ("cost", CostMode.Run),
         ("throughput", ThroughputMode.Run),
         ("contention", ContentionMode.Run),
