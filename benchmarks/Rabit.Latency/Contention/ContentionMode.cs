@@ -11,6 +11,9 @@ internal static class ContentionMode
     private const int Posts = 0;
     private const int News = 1;
 
+    // What a message must reach of one that is written by hand and neither checks, stamps nor wakes.
+    private const double PartOfLimit = 0.9;
+
     private static readonly Column[] Columns = [new("M posts/s", "0.00"), new("M news/s", "0.00")];
 
     public static IReadOnlyList<Table> Run(RunOptions options)
@@ -24,10 +27,12 @@ internal static class ContentionMode
         var contention = new RabitContention<TestPose>(default, message => message.Value.TimeSeconds++);
         Subject rabit = new Subject("Rabit", () => contention.Run(seconds)).Owning(contention);
         Subject copy = new("a copy of 72 bytes by each alone", () => Copies(seconds));
+        Subject seqlock = new("hand-written seqlock", () => Seqlocks(seconds));
         Subject locked = new("lock and version", () => LockedStructs(seconds));
         List<Subject> subjects =
         [
             copy,
+            seqlock,
             locked,
             new("Channel of one, drop oldest", () => Channels(seconds)),
             rabit,
@@ -36,6 +41,7 @@ internal static class ContentionMode
         rabit.Dispose();
         var table = new Table(
             "contention", "a poster and a fetcher flat out, a CPU each: a struct of 72 bytes", Columns, subjects, copy);
+        table.RequireMinRatio(rabit, seqlock, Posts, PartOfLimit);
         table.RequireMin(rabit, Posts, 8, locked, 17);
         table.RequireMin(rabit, News, 1.5, locked, 1.6);
         return table;
@@ -58,6 +64,20 @@ internal static class ContentionMode
         table.RequireMin(rabit, Posts, 10, locked, 17);
         table.RequireMin(rabit, News, 5, byReference, 14);
         return table;
+    }
+
+    private static double[] Seqlocks(double seconds)
+    {
+        var message = new SeqlockMessage<TestPose>(default);
+        TestPose posted = default;
+        return ContentionRun.OnThreads(
+            seconds,
+            () =>
+            {
+                posted.TimeSeconds++;
+                message.Post(posted);
+            },
+            () => message.Fetch(out _));
     }
 
     private static double[] LockedStructs(double seconds)

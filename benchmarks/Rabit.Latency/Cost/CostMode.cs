@@ -53,13 +53,13 @@ internal static class CostMode
             long start = MonotonicClock.Now;
             Sleepers sleepers = create(number);
             long started = MonotonicClock.Now;
-            MonotonicClock.SleepMilliseconds(200);   // until they sleep
-            double load = CpuLoad.During(options.Pick(0.2, 2.0));
+            MonotonicClock.SleepMilliseconds(100);   // until they sleep
+            double load = CpuLoad.During(options.Pick(0.2, 1.0));
             ProcessState with = ProcessState.Now();
             long stop = MonotonicClock.Now;
             sleepers.Dispose();
             long stopped = MonotonicClock.Now;
-            MonotonicClock.SleepMilliseconds(200);   // until its threads have exited: the next subject has the CPUs
+            MonotonicClock.SleepMilliseconds(100);   // until its threads have exited: the next subject has the CPUs
             return
             [
                 (started - start) / 1e6,

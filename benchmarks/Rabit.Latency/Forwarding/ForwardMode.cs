@@ -18,12 +18,12 @@ internal static class ForwardMode
 
     private static Table Rate(RunOptions options)
     {
-        double seconds = options.Pick(0.2, 2.0);
+        double seconds = options.Pick(0.2, 1.0);
         Subject epoll = Row("epoll, hand-written, looks at nothing", t => new EpollForwarder(t), Flood);
         Subject rabit = Row("Communications", t => new RabitForwarder(t, isRecorded: false), Flood);
         Subject recorded = Row("Communications, and records", t => new RabitForwarder(t, isRecorded: true), Flood);
         List<Subject> subjects = [epoll, rabit, recorded];
-        Rounds.Run(subjects, options.Pick(1, Math.Min(5, options.Rounds)), warmUps: options.Pick(0, 1));
+        Rounds.Run(subjects, options.Pick(1, options.Rounds), warmUps: options.Pick(0, 1));
         var table = new Table(
             "forward", "UDP to UDP on this machine, frames of 44 bytes, each in a datagram of its own, as many as go",
             [new Column("frames/s of a core", "0")], subjects, epoll);
@@ -35,12 +35,12 @@ internal static class ForwardMode
 
     private static Table Latency(RunOptions options)
     {
-        double seconds = options.Pick(0.2, 3.0);
+        double seconds = options.Pick(0.2, 1.5);
         Subject straight = Row("no forwarder: from socket to socket", _ => null, Pace);
         Subject epoll = Row("epoll, hand-written, looks at nothing", t => new EpollForwarder(t), Pace);
         Subject rabit = Row("Communications", t => new RabitForwarder(t, isRecorded: false), Pace);
         List<Subject> subjects = [straight, epoll, rabit];
-        Rounds.Run(subjects, options.Pick(1, Math.Min(5, options.Rounds)), warmUps: options.Pick(0, 1));
+        Rounds.Run(subjects, options.Pick(1, options.Rounds), warmUps: options.Pick(0, 1));
         var table = new Table(
             "forward", "the same, 1000 frames a second: how late they are",
             [new Column("p50, us"), new Column("p99, us")], subjects, straight);
@@ -57,12 +57,12 @@ internal static class ForwardMode
 
     private static Table Load(RunOptions options)
     {
-        double seconds = options.Pick(0.3, 5.0);
+        double seconds = options.Pick(0.3, 2.0);
         Subject epoll = Row("epoll, hand-written, looks at nothing", t => new EpollForwarder(t), Pace);
         Subject rabit = Row("Communications", t => new RabitForwarder(t, isRecorded: false), Pace);
         Subject recorded = Row("Communications, and records", t => new RabitForwarder(t, isRecorded: true), Pace);
         List<Subject> subjects = [epoll, rabit, recorded];
-        Rounds.Run(subjects, options.Pick(1, Math.Min(5, options.Rounds)), warmUps: options.Pick(0, 1));
+        Rounds.Run(subjects, options.Pick(1, options.Rounds), warmUps: options.Pick(0, 1));
         var table = new Table(
             "forward", FormattableString.Invariant($"the same, {StreamRate} frames a second"),
             [new Column("% of a core", "0.00")], subjects, epoll);
@@ -72,7 +72,7 @@ internal static class ForwardMode
         // Not what compiling costs, of methods too that are called a few times a second.
         double[] Pace(FrameFlow flow, int port)
         {
-            flow.Pace(port, StreamRate, options.Pick(0.1, 3.0));
+            flow.Pace(port, StreamRate, options.Pick(0.1, 1.0));
             return [flow.Pace(port, StreamRate, seconds)];
         }
     }

@@ -13,10 +13,11 @@ namespace Rabit.Latency.Idle;
 /// <summary>What sixteen managers that have nothing to do cost.</summary>
 internal static class IdleMode
 {
+    // Whole periods: each thread wakes as often in every round.
     public static IReadOnlyList<Table> Run(RunOptions options) =>
     [
-        Run(options, TimeSpan.FromSeconds(1), options.Pick(0.5, 5.0), 0.3),
-        Run(options, TimeSpan.FromMilliseconds(10), options.Pick(0.2, 2.0), 3.5),
+        Run(options, TimeSpan.FromSeconds(1), options.Pick(0.5, 1.0), 0.3),
+        Run(options, TimeSpan.FromMilliseconds(10), options.Pick(0.2, 1.0), 4.4),
     ];
 
     private static Table Run(RunOptions options, TimeSpan period, double seconds, double limit)
@@ -37,7 +38,7 @@ internal static class IdleMode
             futex,
             byEvent,
         ];
-        Rounds.Run(subjects, options.Pick(1, Math.Min(3, options.Rounds)), warmUps: options.Pick(0, 1));
+        Rounds.Run(subjects, options.Pick(1, options.Rounds), warmUps: options.Pick(0, 1));
         var table = new Table(
             "idle",
             string.Format(
@@ -51,12 +52,17 @@ internal static class IdleMode
         return table;
     }
 
-    private static Subject Row(string name, double seconds, Func<Sleepers?> create) => new(name, () =>
+    private static Subject Row(string name, double seconds, Func<Sleepers?> create)
     {
-        using Sleepers? sleepers = create();
-        MonotonicClock.SleepMilliseconds(200);   // what the start costs is not what is asked
-        return [CpuLoad.During(seconds)];
-    });
+        return new Subject(name, () => Measure(seconds), warmUp: () => Measure(seconds / 10));
+
+        double[] Measure(double duration)
+        {
+            using Sleepers? sleepers = create();
+            MonotonicClock.SleepMilliseconds(100);   // what the start costs is not what is asked
+            return [CpuLoad.During(duration)];
+        }
+    }
 
     private static (Action Sleep, Action Wake) OnFutex(long period)
     {

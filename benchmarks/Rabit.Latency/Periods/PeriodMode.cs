@@ -21,12 +21,12 @@ internal static class PeriodMode
 
     public static IReadOnlyList<Table> Run(RunOptions options)
     {
-        Table common = Lateness(options, TenMilliseconds, "100 Hz", options.Pick(20, 300), options.Rounds);
+        Table common = Lateness(options, TenMilliseconds, "100 Hz", options.Pick(20, 200), options.Rounds);
         Require(common, withEvents: true);
 
         // The event engine counts in milliseconds: it cannot keep every deadline of this period, and says so by its
         // missed deadlines.
-        Table fast = Lateness(options, HalfAMillisecond, "2 kHz", options.Pick(100, 2000), options.Rounds);
+        Table fast = Lateness(options, HalfAMillisecond, "2 kHz", options.Pick(100, 1000), options.Rounds);
         Require(fast, withEvents: false);
         return [common, fast, Drift(options)];
     }

@@ -18,7 +18,7 @@ internal static class RealTimeMode
 
     public static Table Run(RunOptions options)
     {
-        int samples = options.Pick(50, 1000);
+        int samples = options.Pick(50, 500);
         using var competitor = new CompetingLoad(Cpus.One);
         List<Subject> subjects =
         [

@@ -55,10 +55,14 @@ internal static class BaselineQueues
         public bool TryPop(out T value) => ring.TryPop(out value);
     }
 
-    public readonly struct Single<T>(SpscRing<T> ring) : IPush<T>, IPop<T>
+    public readonly struct Single<T>(SpscRing<T> ring) : IPush<T>, IPop<T>, IPushBatch<T>, IPopBatch<T>
     {
         public bool TryPush(in T value) => ring.TryPush(value);
 
         public bool TryPop(out T value) => ring.TryPop(out value);
+
+        public int PushFrom(ReadOnlySpan<T> values) => ring.PushFrom(values);
+
+        public int PopInto(Span<T> target) => ring.PopInto(target);
     }
 }

@@ -1,3 +1,5 @@
+using System.Threading;
+
 namespace Rabit.Latency.Throughput;
 
 /// <summary>A bounded ring under a lock, without Rabit.</summary>
@@ -16,7 +18,8 @@ internal sealed class LockedRing<T>(int capacity)
                 return false;
             int tail = _head + _count;
             _entries[tail < _entries.Length ? tail : tail - _entries.Length] = value;
-            _count++;
+            if (++_count == 1)
+                Monitor.Pulse(_gate);
             return true;
         }
     }
@@ -31,11 +34,29 @@ internal sealed class LockedRing<T>(int capacity)
                 return false;
             }
 
-            value = _entries[_head];
-            if (++_head == _entries.Length)
-                _head = 0;
-            _count--;
+            value = TakeOut();
             return true;
         }
+    }
+
+    /// <summary>Sleeps while it is empty. Senders wake with Pulse, which costs little where nobody waits.</summary>
+    public T Pop()
+    {
+        lock (_gate)
+        {
+            while (_count == 0)
+                Monitor.Wait(_gate);
+            return TakeOut();
+        }
+    }
+
+    // Under _gate.
+    private T TakeOut()
+    {
+        T value = _entries[_head];
+        if (++_head == _entries.Length)
+            _head = 0;
+        _count--;
+        return value;
     }
 }

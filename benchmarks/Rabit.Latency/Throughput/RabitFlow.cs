@@ -26,21 +26,25 @@ internal sealed class RabitFlow<T> : IDisposable
         _reactor.Start();
     }
 
-    public double Run(int messages)
-    {
-        var flow = new Flow(_workers.Length - 1, messages);
-        foreach (FlatOutManager<Flow> worker in _workers)
-            worker.Begin(flow);
-        foreach (FlatOutManager<Flow> worker in _workers)
-            worker.WaitForEnd();
-        return flow.MillionPerSecond;
-    }
+    public double Run(int messages) => Run(new Flow(_workers.Length - 1, messages));
+
+    /// <summary>Several values at a time.</summary>
+    public double RunBatches(int messages) => Run(new Flow(_workers.Length - 1, messages, inBatches: true));
 
     public void Dispose()
     {
         RabitRun.End(_reactor);
         foreach (FlatOutManager<Flow> worker in _workers)
             worker.Dispose();
+    }
+
+    private double Run(Flow flow)
+    {
+        foreach (FlatOutManager<Flow> worker in _workers)
+            worker.Begin(flow);
+        foreach (FlatOutManager<Flow> worker in _workers)
+            worker.WaitForEnd();
+        return flow.MillionPerSecond;
     }
 
     private sealed class Sender : FlatOutManager<Flow>
@@ -53,7 +57,10 @@ internal sealed class RabitFlow<T> : IDisposable
         protected override void Work(Flow flow)
         {
             var end = new PushEnd(_queue);
-            flow.Send<PushEnd, T>(ref end, default);
+            if (flow.InBatches)
+                flow.SendBatches<PushEnd, T>(ref end);
+            else
+                flow.Send<PushEnd, T>(ref end, default);
         }
     }
 
@@ -67,17 +74,24 @@ internal sealed class RabitFlow<T> : IDisposable
         protected override void Work(Flow flow)
         {
             var end = new PopEnd(_queue);
-            flow.Receive<PopEnd, T>(ref end);
+            if (flow.InBatches)
+                flow.ReceiveBatches<PopEnd, T>(ref end);
+            else
+                flow.Receive<PopEnd, T>(ref end);
         }
     }
 
-    private readonly struct PushEnd(QueueSender<T> queue) : IPush<T>
+    private readonly struct PushEnd(QueueSender<T> queue) : IPush<T>, IPushBatch<T>
     {
         public bool TryPush(in T value) => queue.Push(value) != PushResult.Rejected;
+
+        public int PushFrom(ReadOnlySpan<T> values) => queue.PushFrom(values);
     }
 
-    private readonly struct PopEnd(QueueReceiver<T> queue) : IPop<T>
+    private readonly struct PopEnd(QueueReceiver<T> queue) : IPop<T>, IPopBatch<T>
     {
         public bool TryPop(out T value) => queue.TryPop(out value);
+
+        public int PopInto(Span<T> target) => queue.PopInto(target);
     }
 }

@@ -12,10 +12,12 @@ internal static class WakeMode
 {
     private const int P50 = 0;
     private const int P99 = 1;
+    private const double MaxP50Microseconds = 8;
+    private const double MaxP99Microseconds = 28;
 
     public static Table Run(RunOptions options)
     {
-        int posts = options.Pick(100, 2000);
+        int posts = options.Pick(100, 500);
         var subjects = new List<Subject>();
         foreach ((string name, System.Func<Signal> create) in Baselines.All)
             subjects.Add(Row(name, new BaselineWake(create(), Cpus.One), posts));
@@ -36,7 +38,8 @@ internal static class WakeMode
             subjects[0]);
         table.RequireRatio(futex, subjects[0], P50, 1.3);
         table.RequireRatio(futex, subjects[0], P99, 1.3);
-        table.RequireMax(futex, P50, 10);
+        table.RequireMax(futex, P50, MaxP50Microseconds);
+        table.RequireMax(futex, P99, MaxP99Microseconds);
         table.RequireRatio(byEvent, subjects[1], P50, 1.15);
         table.RequireRatio(byEvent, subjects[1], P99, 1.15);
         return table;
