@@ -10,6 +10,8 @@ internal sealed class PushPopManager<T> : RabitManager
     private readonly QueueReceiver<T> _receiver;
     private readonly QueueSender<T> _sender;
     private readonly int _perRun;
+    private readonly T _pushed;   // as in the other rows, what is popped is not pushed again
+    private T _popped;
 
     public PushPopManager(int capacity, int perRun)
         : base("push-pop")
@@ -17,6 +19,7 @@ internal sealed class PushPopManager<T> : RabitManager
         _receiver = Receive<T>("queue", capacity);
         _sender = Send<T>("queue");
         _perRun = perRun;
+        _pushed = new T();
         WakeUpDelay = TimeSpan.FromDays(1);
     }
 
@@ -29,10 +32,9 @@ internal sealed class PushPopManager<T> : RabitManager
             return;
 
         int popped = 0;
-        T value = default;
         for (int i = 0; i < _perRun; i++)
         {
-            if (_sender.Push(value) == PushResult.Queued && _receiver.TryPop(out value))
+            if (_sender.Push(_pushed) == PushResult.Queued && _receiver.TryPop(out _popped))
                 popped++;
         }
 

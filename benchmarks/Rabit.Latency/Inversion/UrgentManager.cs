@@ -5,7 +5,9 @@ using Rabit.Latency.Native;
 
 namespace Rabit.Latency.Inversion;
 
-/// <summary>The manager of the highest priority: uses its endpoint some 3000 times a second, and measures that.</summary>
+/// <summary>
+/// The manager of the highest priority: uses its endpoint some 3000 times a second, and measures that.
+/// </summary>
 internal sealed class UrgentManager : CallingManager, IDisposable
 {
     private readonly AutoResetEvent _full = new(initialState: false);

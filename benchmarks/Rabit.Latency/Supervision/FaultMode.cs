@@ -13,7 +13,7 @@ internal static class FaultMode
 {
     public static Table Run(RunOptions options)
     {
-        // From the first fault on: a shorter time is harder to meet, since most is thrown before the back-off has grown.
+        // A shorter time is harder to meet: most is thrown before the back-off has grown.
         double seconds = options.Pick(0.3, 2.0);
         Subject[] policies =
         [

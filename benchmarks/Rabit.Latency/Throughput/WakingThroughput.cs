@@ -49,8 +49,8 @@ internal static class WakingThroughput
         ThroughputMode.Measure(options, subjects);
         var table = new Table(
             "throughput",
-            $"{senders} sender(s), 1 receiver that sleeps while there is nothing and is woken, int, {Capacity} entries, "
-                + "flat out" + (senders == 1 ? ", a CPU each" : string.Empty),
+            $"{senders} sender(s), 1 receiver that sleeps while there is nothing and is woken, int, "
+                + $"{Capacity} entries, flat out" + (senders == 1 ? ", a CPU each" : string.Empty),
             [new Column("M/s")],
             subjects,
             limit);
