@@ -10,6 +10,7 @@ internal sealed class KnownTypes
         Manager = manager;
         Workspace = compilation.GetTypeByMetadataName("Rabit.Core.RabitWorkspace");
         PushResult = compilation.GetTypeByMetadataName("Rabit.Core.PushResult");
+        QueueSender = compilation.GetTypeByMetadataName("Rabit.Core.QueueSender`1");
         SelfCopying = compilation.GetTypeByMetadataName("Rabit.Core.ISelfCopying`1");
         TrustedImmutable = compilation.GetTypeByMetadataName("Rabit.Core.TrustedImmutableAttribute");
         HandedOver = compilation.GetTypeByMetadataName("Rabit.Core.HandedOverAttribute");
@@ -22,6 +23,8 @@ internal sealed class KnownTypes
     public INamedTypeSymbol? Workspace { get; }
 
     public INamedTypeSymbol? PushResult { get; }
+
+    public INamedTypeSymbol? QueueSender { get; }
 
     public INamedTypeSymbol? SelfCopying { get; }
 

@@ -39,7 +39,7 @@ internal static class Rules
         "RABIT0006", "The result of a push is ignored",
         "The result of this push is ignored, so that a value which the queue rejects is lost unnoticed; look at it, or "
             + "write '_ =' where the queue drops by its rule",
-        Category, DiagnosticSeverity.Info, isEnabledByDefault: true, Description(6));
+        Category, DiagnosticSeverity.Warning, isEnabledByDefault: true, Description(6));
 
     public static readonly DiagnosticDescriptor LateDeclaration = new(
         "RABIT0007", "An endpoint is declared after the constructor",

@@ -20,6 +20,7 @@ internal sealed class AwakeManager : RabitManager, IDisposable
 
     public void Dispose() => _end.Dispose();
 
-    // A benchmark's own affair: a manager of a real program does not wait for others.
+#pragma warning disable RABIT0002 // A benchmark's own affair: a manager of a real program does not wait for others.
     protected override void ExecuteUnitOfWork() => _end.Wait();
+#pragma warning restore RABIT0002
 }

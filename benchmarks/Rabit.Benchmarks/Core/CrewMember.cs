@@ -38,6 +38,6 @@ internal sealed class CrewMember : RabitManager
         }
 
         _own.Post();
-        _outbox.Push(Runs);
+        _ = _outbox.Push(Runs);
     }
 }

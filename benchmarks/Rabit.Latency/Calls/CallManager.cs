@@ -74,7 +74,7 @@ internal sealed class CallManager : FlatOutManager<CallJob>
     {
         for (int i = 0; i < calls; i++)
         {
-            _sender.Push(new Block64 { Number = i });
+            _ = _sender.Push(new Block64 { Number = i });
             if (!_receiver.TryPop(out Block64 block))
                 throw new InvalidOperationException("A value was lost.");
             _blocks.Take(block);

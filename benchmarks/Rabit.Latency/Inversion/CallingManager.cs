@@ -34,7 +34,7 @@ internal abstract class CallingManager : RabitManager
                 return Publish(MessageName, new CopyingTable(), allowOtherPublishers: true).Post;
             case EndpointCall.PushDropping:
                 QueueSender<TestPose> poses = Send<TestPose>(ComputingManager.QueueName);
-                return () => poses.Push(default);
+                return () => _ = poses.Push(default);   // the oldest makes room
             default:
                 throw new ArgumentOutOfRangeException(nameof(call), call, "There is no such call.");
         }

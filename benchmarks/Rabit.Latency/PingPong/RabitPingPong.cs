@@ -68,7 +68,7 @@ internal sealed class RabitPingPong : PingPongTarget
             {
                 if (--_left > 0)
                 {
-                    _ping.Push(ball);
+                    _ = _ping.Push(ball);   // there is one ball
                     continue;
                 }
 
@@ -81,7 +81,7 @@ internal sealed class RabitPingPong : PingPongTarget
             {
                 _left = serves;
                 _start = MonotonicClock.Now;
-                _ping.Push(1);
+                _ = _ping.Push(1);
             }
         }
     }
@@ -107,7 +107,7 @@ internal sealed class RabitPingPong : PingPongTarget
         protected override void ExecuteUnitOfWork()
         {
             while (_ping.TryPop(out int ball))
-                _pong.Push(ball);
+                _ = _pong.Push(ball);
         }
     }
 }

@@ -101,6 +101,56 @@ public sealed class ValueAnalyzerTests
             }
             """));
 
+    [Fact]
+    public async Task Rabit0006_PushOfSeveralOrAsync_IsFound()
+        => Assert.Equal(
+            [
+                "RABIT0006 at _orders.PushFrom([1, 2])", "RABIT0006 at await _orders.PushAsync(3)",
+                "RABIT0006 at await _orders.PushAsync(4).ConfigureAwait(false)", "RABIT0006 at _orders.PushAsync(5)",
+                "RABIT0006 at .Push(6)", "RABIT0006 at _orders.Push(7)", "RABIT0006 at _orders.Push(8)",
+            ],
+            await AnalyzedManager.Report("""
+                private readonly QueueSender<int> _orders = null!;
+                private QueueSender<int>? _others = null;
+                protected override void ExecuteUnitOfWork() => _orders.PushFrom([1, 2]);
+                public async Task Feed()
+                {
+                    await _orders.PushAsync(3);
+                    await _orders.PushAsync(4).ConfigureAwait(false);
+                    _orders.PushAsync(5);
+                    _others?.Push(6);
+                }
+                public Action Later() => () => _orders.Push(7);
+                public void Now() => _orders.Push(8);
+                """));
+
+    [Fact]
+    public async Task Rabit0006_ResultThatIsUsedOrOtherPush_IsNotFound()
+        => Assert.Empty(await AnalyzedManager.Report("""
+            private readonly QueueSender<int> _orders = null!;
+            private readonly Stack<int> _stack = new();
+            private readonly Batch _batch = new();
+            protected override void ExecuteUnitOfWork()
+            {
+                int count = _orders.PushFrom([1, 2]);
+                _ = _orders.PushFrom([3]);
+                if (_orders.PushFrom([4, 5]) < 2 || !_orders.TryPushOrHold(6))
+                    _stack.Push(count);
+                _batch.PushFrom([7]);
+                _stack.Push(8);
+            }
+            public async Task<PushResult> Feed(CancellationToken end)
+            {
+                _ = await _orders.PushAsync(9);
+                PushResult result = await _orders.PushAsync(10);
+                Task<PushResult> pending = _orders.PushAsync(11).AsTask();
+                return result == PushResult.Queued ? await _orders.PushAsync(12, end) : await pending;
+            }
+            public Func<PushResult> Later() => () => _orders.Push(13);
+            public Func<int> More() => () => _orders.PushFrom([14]);
+            public void None() => _ = _orders.Push(15);
+            """, "public sealed class Batch { public int PushFrom(ReadOnlySpan<int> values) => values.Length; }"));
+
     private static Task<string[]> Message(string type) => AnalyzedManager.Report(
         $"partial void Declare() => Subscribe<{type}>(\"x\"); protected override void ExecuteUnitOfWork() {{ }}",
         Types);
