@@ -94,21 +94,20 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
     {
         T initial = default!;
         int publishers = 0;
-        bool areManagers = true;
         foreach (EndpointDeclaration endpoint in endpoints)
         {
             if (endpoint.StatesInitial)
                 initial = ((MessageBinding<T>)endpoint).Initial;
-            if (endpoint.Role != EndpointRole.Publish)
-                continue;
-            publishers++;
-            areManagers &= endpoint.Owner.IsManager;
+            if (endpoint.Role == EndpointRole.Publish)
+                publishers++;
         }
 
         var place = new MessagePlace(Name, clock, log);
         if (IsSelfCopying && initial is not null)
             return new SharedObject<T>(place, initial);
-        return new SharedValue<T>(place, initial, isAlone: publishers == 1 && areManagers);
+
+        // Whoever it is: a manager posts on one thread at a time, code outside managers is held to it by every post.
+        return new SharedValue<T>(place, initial, isAlone: publishers == 1);
     }
 
     public override void Watch(IConnector connector, EventLog events)

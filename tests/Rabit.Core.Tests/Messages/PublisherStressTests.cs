@@ -42,12 +42,62 @@ public sealed class PublisherStressTests
         reactor.Finish();
     }
 
+    /// <summary>One publisher, outside managers: it may go from thread to thread, one at a time.</summary>
+    [Fact, Trait("Clause", "2.4")]
+    public void Post_OfOnePublisherOutsideOnThreadsInTurn_EachIsAVersionAndFetchedWhole()
+    {
+        using var reactor = new RabitReactor(new ReactorOptions { StopsOnSignals = false });
+        using var start = new Barrier(3);
+        reactor.Add(new Idle());
+        MessagePublisher<TestBlock> publisher = reactor.Workspace.Publish<TestBlock>("block");
+        MessageSubscriber<TestBlock> counted = reactor.Workspace.Subscribe<TestBlock>("block");
+        MessageSubscriber<TestBlock> fetched = reactor.Workspace.Subscribe<TestBlock>("block");
+        reactor.Start();
+        var turn = new object();
+        long last = 0;
+        Thread[] posters = [.. Enumerable.Range(0, 2).Select(_ => new Thread(() =>
+        {
+            start.SignalAndWait();
+            for (int i = 0; i < Posts / 2; i++)
+            {
+                lock (turn)
+                    publisher.Post(new TestBlock(++last));
+            }
+        }))];
+        foreach (Thread poster in posters)
+            poster.Start();
+        start.SignalAndWait();
+        long seen = 0;
+        for (bool isLast = false; !isLast;)
+        {
+            isLast = !posters.Any(p => p.IsAlive);   // before the fetch: it finds the last post
+            if (!fetched.Fetch())
+                continue;
+            Assert.True(fetched.Value.IsWhole);
+            Assert.True(fetched.Value.Number > seen, "a fetch goes back");
+            seen = fetched.Value.Number;
+        }
+
+        Assert.Equal(Posts, seen);
+        Assert.True(counted.FetchAndCountMissed(out int missed));
+        Assert.Equal(Posts - 1, missed);
+        reactor.Stop("enough");
+        reactor.Finish();
+    }
+
     private static Thread PosterOf(MessagePublisher<long> publisher, Barrier start) => new(() =>
     {
         start.SignalAndWait();
         for (int i = 0; i < Posts; i++)
             publisher.Post(i);
     });
+
+    private sealed class Idle() : RabitManager("idle")
+    {
+        protected override void ExecuteUnitOfWork()
+        {
+        }
+    }
 
     private sealed class Poster : RabitManager
     {
