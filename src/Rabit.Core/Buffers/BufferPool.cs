@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core.Buffers;
+using Rabit.Core.Locks;
 
 namespace Rabit.Core;
 
@@ -19,13 +20,15 @@ namespace Rabit.Core;
 /// if (pictures.TryRent("camera", out BufferLease picture))
 /// {
 ///     Fill(picture.Span);
-///     _pictures.Push(picture);   // the receiver returns it, or a queue that drops it
+///     if (_pictures.Push(picture) == PushResult.Rejected)
+///         picture.Dispose();   // else the receiver returns it, or a queue that drops it
 /// }
 /// </code>
 /// </example>
 public sealed class BufferPool
 {
-    private readonly object _gate = new();
+    // No wiring knows who rents: it may be a manager that has asked for a priority.
+    private readonly EndpointLock _gate = new(inheritsPriority: true);
     private readonly Stack<PooledBuffer> _free;   // under _gate
     private readonly PooledBuffer[] _all;
     private long _refused;                        // under _gate
@@ -64,7 +67,7 @@ public sealed class BufferPool
     {
         get
         {
-            lock (_gate)
+            using (_gate.Enter())
                 return _free.Count;
         }
     }
@@ -74,7 +77,7 @@ public sealed class BufferPool
     {
         get
         {
-            lock (_gate)
+            using (_gate.Enter())
                 return _refused;
         }
     }
@@ -89,7 +92,7 @@ public sealed class BufferPool
     {
         if (string.IsNullOrEmpty(owner))
             throw new ArgumentException($"Who rents from pool '{Name}' needs a name.", nameof(owner));
-        lock (_gate)
+        using (_gate.Enter())
         {
             if (_free.Count == 0)
             {
@@ -109,7 +112,7 @@ public sealed class BufferPool
     /// </summary>
     public IReadOnlyList<string> Holders()
     {
-        lock (_gate)
+        using (_gate.Enter())
             return _all.Where(b => b.Owner is not null).Select(b => b.Owner!).ToArray();
     }
 
@@ -118,7 +121,7 @@ public sealed class BufferPool
     /// </summary>
     public string Describe()
     {
-        lock (_gate)
+        using (_gate.Enter())
         {
             string state = FormattableString.Invariant(
                 $"Pool '{Name}': {_free.Count} of {_all.Length} buffers are free, {_refused} times none was");
@@ -126,10 +129,13 @@ public sealed class BufferPool
         }
     }
 
+    /// <summary>Whether who waits for its lock lends its priority to who holds it.</summary>
+    internal bool InheritsPriority => _gate.InheritsPriority;
+
     /// <summary>The owners of buffers that should all have been returned; null when there are none.</summary>
     internal string? FindLeak()
     {
-        lock (_gate)
+        using (_gate.Enter())
         {
             return _free.Count == _all.Length
                 ? null
@@ -139,7 +145,7 @@ public sealed class BufferPool
 
     internal int HandOn(PooledBuffer buffer, int generation, string owner)
     {
-        lock (_gate)
+        using (_gate.Enter())
         {
             buffer.Demand(generation);
             return buffer.Pass(owner);
@@ -148,7 +154,7 @@ public sealed class BufferPool
 
     internal void Return(PooledBuffer buffer, int generation)
     {
-        lock (_gate)
+        using (_gate.Enter())
         {
             if (buffer.Generation != generation)
                 return;

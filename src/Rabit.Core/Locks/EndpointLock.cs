@@ -4,19 +4,19 @@ using System.Threading;
 namespace Rabit.Core.Locks;
 
 /// <summary>
-/// The lock of a message or queue: <c>using (_lock.Enter())</c>. A thread that holds it may enter it again.
+/// The lock of a queue or of a pool of buffers: <c>using (_lock.Enter())</c>. A thread that holds it may enter it again.
 /// </summary>
 /// <remarks>
 /// A thread of a high real-time priority may have to wait for one of a low priority that holds it. So that no thread of
 /// a priority in between can keep it waiting (priority inversion), the lock lends the holder the priority of those who
-/// wait: see <see cref="PriorityInheritanceMutex"/>. Where no manager has asked for a priority it is an ordinary
+/// wait: see <see cref="PriorityInheritanceMutex"/>. Where no manager can have asked for one it is an ordinary
 /// monitor, which is faster where many threads meet in it, since it spins for longer.
 /// </remarks>
 internal sealed class EndpointLock
 {
     private readonly PriorityInheritanceMutex? _mutex;
 
-    /// <param name="inheritsPriority">Whether managers of a real-time priority use it.</param>
+    /// <param name="inheritsPriority">Whether managers of a real-time priority may use it.</param>
     public EndpointLock(bool inheritsPriority)
         => _mutex = inheritsPriority && PriorityInheritanceMutex.IsThere ? new PriorityInheritanceMutex() : null;
 

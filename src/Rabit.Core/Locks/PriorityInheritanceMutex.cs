@@ -22,11 +22,11 @@ namespace Rabit.Core.Locks;
 /// </para>
 /// <para>
 /// It never spins: who waits may have displaced the very holder from its processor. So where many threads meet in it
-/// flat out it is slower than a monitor, and it is used only where a manager has asked for a priority.
+/// flat out it is slower than a monitor, and it is used only where a manager may have asked for a priority.
 /// </para>
 /// </remarks>
 [SuppressMessage("Reliability", "CA1001:Types that own disposable fields should be disposable",
-    Justification = "It lives as long as the message or queue; the word is freed by its finalizer.")]
+    Justification = "It lives as long as what it guards; the word is freed by its finalizer.")]
 internal sealed unsafe class PriorityInheritanceMutex
 {
     private const int ThreadIdBits = 0x3FFFFFFF;    // FUTEX_TID_MASK
@@ -108,5 +108,5 @@ internal sealed unsafe class PriorityInheritanceMutex
     }
 
     private static InvalidOperationException Failure(string verb, int error)
-        => new($"A lock of a message or queue cannot be {verb}: futex gives {SystemErrors.Name(error)}.");
+        => new($"A lock cannot be {verb}: futex gives {SystemErrors.Name(error)}.");
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using System.Threading;
+using Rabit.Core.Locks;
 using Rabit.Core.Tests.Contracts;
 using Rabit.Tests.Shared;
 using Xunit;
@@ -28,6 +29,10 @@ public sealed class BufferPoolTests
         Assert.Equal(1, _pool.Free);
         Assert.Equal(["camera"], _pool.Holders());
     }
+
+    [Fact, Trait("Clause", "1.8")]
+    public void LockOfAPool_WhereTheSystemHasSuch_InheritsThePriority()
+        => Assert.Equal(PriorityInheritanceMutex.IsThere, _pool.InheritsPriority);
 
     [Fact, Trait("Clause", "2.5")]
     public void TryRent_NoneFree_IsFalseEmptyAndCounted()
