@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Measures the latencies on both runtimes, some 13 minutes each, and writes the tables into docs/concepts/performance-measurements.md. For a quiet machine.
+# Measures the latencies on both runtimes, some 13 minutes each, and writes the tables into
+# docs/concepts/performance-measurements.md. For a quiet machine.
 # Options go to the runner, for example --rounds 3 or the names of modes.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The plain tests beside a load generator: as many busy processes as the load average is to be (20), which end with the script.
-# eng/load-check.sh [--load N] [--at-once] [PROJECT and other arguments of dotnet test]; --at-once does not wait for the load.
+# The plain tests beside a load generator: as many busy processes as the load average is to be (20); they end with the
+# script. eng/load-check.sh [--load N] [--at-once] [PROJECT and other arguments of dotnet test]; --at-once does not wait
+# until the load is there.
 # Prints the load average that was seen while the tests ran, and the result.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -61,7 +61,7 @@ internal sealed partial class ManagerActivity
             return false;
 
         // It waits after a fault: wakes are kept until then.
-        _kept = _kept.With(wakes);
+        _kept.Keep(wakes);
         return true;
     }
 }

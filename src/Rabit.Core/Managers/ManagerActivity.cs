@@ -29,8 +29,7 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
     private bool _isUp;               // a start-up that has no shutdown yet
     private ManagerStage _stage;      // as last entered
     private ManagerState _state;      // as last posted
-    private ConsumedWakeUps _kept;            // wakes that came before a restart or in a back-off, for the run after it
-    private bool _isFirstRun;         // after a restart
+    private KeptWakeUps _kept;
     private TimeSpan _lastEnd;        // when the last stage ended: read from the clock once, used for all
     private TimeSpan _due;            // when the timer is to wake, set with each run
     private bool _isOnGrid;           // whether that is a deadline of a fixed period
@@ -91,18 +90,10 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
         if (_followUp.IsRestarting)
         {
             // The barrier opens for one whose start-up threw, too; its time comes later.
-            _kept = _kept.With(wakes);
-            return begin < _followUp.ResumeAt ? NextStep.OnlyAt(_followUp.ResumeAt) : Restart();
+            return _kept.TryWait(wakes, begin, _followUp.ResumeAt, out NextStep next) ? next : Restart();
         }
 
-        wakes = _kept.With(wakes);
-        _kept = default;
-        if (_isFirstRun)
-        {
-            _isFirstRun = false;
-            wakes = wakes.FirstAfterRestart();
-        }
-
+        wakes = _kept.Take(wakes);
         if (run.Log.LogsRuns)
             run.Log.Write(RabitLogKind.Run, Name, $"runs, woken by {wakes.Causes}");
         if (!Execute(ManagerStage.UnitOfWork, ManagerState.Running, begin, wakes, wokenAt))
@@ -148,12 +139,7 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
         _grid = default;
         run.Log.Write(
             RabitLogKind.Lifecycle, Name, FormattableString.Invariant($"starts up again, restart {Restarts}"));
-        if (!StartUp())
-            return AfterFault();
-
-        // In a step of its own: a stop that came meanwhile causes no extra run.
-        _isFirstRun = true;
-        return NextStep.At(_lastEnd);
+        return StartUp() ? _kept.StartedAgain(_lastEnd) : AfterFault();
     }
 
     private NextStep AfterFault()

@@ -19,7 +19,8 @@ internal sealed class WakeUpHistory(WakeUpScenario scenario)
     private const int StartReturned = 3;
     private const int StopCalled = 4;
     private const int StopReturned = 5;
-    private const int PerWaker = 6;
+    private const int HasRun = 6;
+    private const int PerWaker = 7;
 
     // For each waker: wakes called and returned, the same when the last turn began, the number that the last turn saw,
     // and what its reads must see.
@@ -69,7 +70,9 @@ internal sealed class WakeUpHistory(WakeUpScenario scenario)
         bool isTimer = (wakes.Causes & WakeUpCauses.Timer) != 0;
         bool isWanted = (planned.Wanted & (int)WakeUpCauses.Post) != 0 || (wakes.Causes & WakeUpCauses.Start) != 0;
         s.Require(s.Note(StopReturned) == 0, "a turn began after a stop had returned");
-        s.Require(isTimer || wakes.Count > 0, "a turn without a cause");
+        bool isAfterRestart = scenario.Restarts && (wakes.Causes & WakeUpCauses.Start) != 0;
+        s.Require(isTimer || wakes.Count > 0 || isAfterRestart, "a turn without a cause");
+        Set(s, HasRun, scenario.Restarts ? 1 : 0);
         s.Require(!isTimer || s.Now >= planned.Due, "a timer came early");
         s.Require(wokenAt is null || wokenAt <= s.Now, "a wake is said to have come later than now");
         s.Require(isWanted || isTimer, "a wake ended a sleep that it should not");
@@ -106,7 +109,7 @@ internal sealed class WakeUpHistory(WakeUpScenario scenario)
 
         // A sleeper that backs off, or is at the barrier, keeps its wakes; that they are all in its next turn is
         // checked there.
-        if (s.Note(IsOver) != 0 || scenario.BacksOff || (scenario.Stops && !scenario.Starts))
+        if (s.Note(IsOver) != 0 || scenario.BacksOff || (scenario.Restarts && s.Note(HasRun) == 0) || (scenario.Stops && !scenario.Starts))
             return;
         s.Require(
             !scenario.ChecksCounts || s.Note(Taken) == s.Note(StartReturned) + Sum(s, Returned),

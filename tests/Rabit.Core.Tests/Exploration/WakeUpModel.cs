@@ -31,13 +31,18 @@ internal sealed class WakeUpModel : ExploredModel
     private readonly int[] _written;   // by each waker, read by the sleeper
     private readonly List<ExploredThread> _threads = [];
 
-    public WakeUpModel(WakeUpScenario scenario, Func<RunClock, WakeUpUnderTest> create)
+    public WakeUpModel(
+        WakeUpScenario scenario, Func<RunClock, WakeUpUnderTest> create,
+        SeededRestartFault restartFault = SeededRestartFault.None)
     {
         _scenario = scenario;
         _history = new WakeUpHistory(scenario);
         _wakeUp = create(_clock);
         _written = new int[scenario.Wakers];
-        _threads.Add(new Sleeper(this));
+        if (scenario.Restarts)
+            _threads.Add(new RestartingSleeper(restartFault, Delay, _clock, _wakeUp, BeginUnit, _history.End));
+        else
+            _threads.Add(new Sleeper(this));
         if (scenario.Starts || scenario.Stops)
             _threads.Add(new Reactor(this));
         for (int waker = 0; waker < scenario.Wakers; waker++)
@@ -86,6 +91,15 @@ internal sealed class WakeUpModel : ExploredModel
 
     private NextStep RunStep(NextStep planned, ConsumedWakeUps wakes, TimeSpan? wokenAt)
     {
+        BeginUnit(planned, wakes, wokenAt);
+        if (_scenario.Ticks == 0)
+            return NextStep.At(TimeSpan.MaxValue);
+        TimeSpan due = _clock.Now + Delay;
+        return _scenario.BacksOff ? NextStep.OnlyAt(due) : NextStep.At(due);
+    }
+
+    private void BeginUnit(NextStep planned, ConsumedWakeUps wakes, TimeSpan? wokenAt)
+    {
         ExploredSyncPoints.Note((planned, wakes, wokenAt), s => _history.BeginStep(s, planned, wakes, wokenAt));
         for (int i = 0; i < _scenario.Wakers; i++)
         {
@@ -95,11 +109,6 @@ internal sealed class WakeUpModel : ExploredModel
                 : ExploredSyncPoints.OldestSeen(ref _written[waker]);
             ExploredSyncPoints.Note((waker, seen), s => WakeUpHistory.See(s, waker, seen));
         }
-
-        if (_scenario.Ticks == 0)
-            return NextStep.At(TimeSpan.MaxValue);
-        TimeSpan due = _clock.Now + Delay;
-        return _scenario.BacksOff ? NextStep.OnlyAt(due) : NextStep.At(due);
     }
 
     private sealed class Reactor(WakeUpModel model) : ExploredThread("reactor")

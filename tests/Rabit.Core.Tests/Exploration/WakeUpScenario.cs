@@ -29,4 +29,9 @@ internal sealed record WakeUpScenario(int Wakers, int WakesEach)
     /// Whether every turn fails, so that the next comes with the timer and not before, and wakes are kept.
     /// </summary>
     public bool BacksOff { get; init; }
+
+    /// <summary>
+    /// Whether the sleeper's last unit of work threw, so that it is restarted after the timer, and then runs.
+    /// </summary>
+    public bool Restarts { get; init; }
 }
