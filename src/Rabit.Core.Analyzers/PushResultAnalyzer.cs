@@ -49,7 +49,7 @@ public sealed class PushResultAnalyzer : DiagnosticAnalyzer
         => KnownTypes.Is(call.Type, types.PushResult)
             || (call.TargetMethod.Name == PushOfSeveral
                 && KnownTypes.Is(call.TargetMethod.ContainingType, types.QueueSender))
-            // A task of a push that nobody awaits.
+            // A task of a push that is not awaited.
             || (call.Type is INamedTypeSymbol { TypeArguments: { Length: 1 } results }
                 && KnownTypes.Is(results[0], types.PushResult));
 }

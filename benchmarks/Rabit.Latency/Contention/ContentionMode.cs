@@ -11,7 +11,7 @@ internal static class ContentionMode
     private const int Posts = 0;
     private const int News = 1;
 
-    // What a message must reach of one that is written by hand and neither checks, stamps nor wakes.
+    // What a message must reach of a hand-written one, which neither checks, stamps nor wakes.
     private const double PartOfLimit = 0.9;
 
     private static readonly Column[] Columns = [new("M posts/s", "0.00"), new("M news/s", "0.00")];
@@ -68,7 +68,7 @@ internal static class ContentionMode
 
     private static double[] Seqlocks(double seconds)
     {
-        var message = new SeqlockMessage<TestPose>(default);
+        var message = new SeqlockValue<TestPose>(default);
         TestPose posted = default;
         return ContentionRun.OnThreads(
             seconds,

@@ -30,5 +30,5 @@ internal static class StartUpMode
         return table;
     }
 
-    private static Subject Row(string name, string program) => new(name, () => ChildProcess.Run(program));
+    private static Subject Row(string name, string program) => new(name, () => MeasuredChild.Run(program));
 }

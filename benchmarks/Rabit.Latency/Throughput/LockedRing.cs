@@ -39,7 +39,7 @@ internal sealed class LockedRing<T>(int capacity)
         }
     }
 
-    /// <summary>Sleeps while it is empty. Senders wake with Pulse, which costs little where nobody waits.</summary>
+    /// <summary>Sleeps while it is empty. Senders wake with Pulse, which costs little where none waits.</summary>
     public T Pop()
     {
         lock (_gate)

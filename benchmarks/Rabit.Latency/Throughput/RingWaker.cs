@@ -7,7 +7,7 @@ namespace Rabit.Latency.Throughput;
 
 /// <summary>
 /// How a receiver without Rabit is woken, and only while it sleeps: it says that it is about to, looks again, and waits
-/// on a futex; a sender looks after each push whether it has said so. Full fences on both sides.
+/// on a futex; a sender reads after each push whether it has said so. Full fences on both sides.
 /// </summary>
 internal sealed class RingWaker : IDisposable
 {

@@ -15,7 +15,7 @@ internal static class ThroughputMode
     private const int MessagesOfWarmUp = 10_000;
     private const string ChannelName = "Channel, bounded";
 
-    // What a queue between managers must reach of a ring that is written by hand and neither checks, counts nor closes.
+    // What a queue between managers must reach of a hand-written ring, which neither checks, counts nor closes.
     private const double PartOfLimit = 0.9;
 
     public static IReadOnlyList<Table> Run(RunOptions options) =>

@@ -106,7 +106,7 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
         if (IsSelfCopying && initial is not null)
             return new SharedObject<T>(place, initial);
 
-        // Whoever it is: a manager posts on one thread at a time, code outside managers is held to it by every post.
+        // A manager posts on one thread at a time; code outside managers is held to it by every post.
         return new SharedValue<T>(place, initial, isAlone: publishers == 1);
     }
 

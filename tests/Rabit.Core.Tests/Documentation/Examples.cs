@@ -194,7 +194,8 @@ internal sealed class Pilot : RabitManager
         if (pictures.TryRent("camera", out BufferLease picture))
         {
             Fill(picture.Span);
-            _pictures.Push(picture);   // the receiver returns it, or a queue that drops it
+            if (_pictures.Push(picture) == PushResult.Rejected)
+                picture.Dispose();   // else the receiver returns it, or a queue that drops it
         }
     }
 }

@@ -109,7 +109,9 @@ internal sealed class WakeUpHistory(WakeUpScenario scenario)
 
         // A sleeper that backs off, or is at the barrier, keeps its wakes; that they are all in its next turn is
         // checked there.
-        if (s.Note(IsOver) != 0 || scenario.BacksOff || (scenario.Restarts && s.Note(HasRun) == 0) || (scenario.Stops && !scenario.Starts))
+        bool isAtBarrier = scenario.Stops && !scenario.Starts && !scenario.Restarts;
+        bool isRestarting = scenario.Restarts && s.Note(HasRun) == 0;
+        if (s.Note(IsOver) != 0 || scenario.BacksOff || isRestarting || isAtBarrier)
             return;
         s.Require(
             !scenario.ChecksCounts || s.Note(Taken) == s.Note(StartReturned) + Sum(s, Returned),

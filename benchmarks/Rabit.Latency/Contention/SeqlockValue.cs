@@ -4,9 +4,9 @@ namespace Rabit.Latency.Contention;
 
 /// <summary>
 /// A message without Rabit, the limit: a seqlock over four places that are written in turn. A fetcher copies the latest
-/// and looks afterwards whether that place was written meanwhile. One poster; nobody is woken, nothing is checked.
+/// and checks afterwards whether that place was written meanwhile. One poster; no thread is woken, nothing is checked.
 /// </summary>
-internal sealed class SeqlockMessage<T>(T initial)
+internal sealed class SeqlockValue<T>(T initial)
     where T : struct
 {
     private readonly Place[] _places = [new(), new(), new(), new()];

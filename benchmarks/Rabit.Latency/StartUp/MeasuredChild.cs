@@ -5,7 +5,7 @@ using Rabit.Latency.Native;
 namespace Rabit.Latency.StartUp;
 
 /// <summary>This program, once more, as a child whose processor time is measured.</summary>
-internal static class ChildProcess
+internal static class MeasuredChild
 {
     /// <param name="argument">Its only argument.</param>
     /// <returns>
@@ -30,7 +30,7 @@ internal static class ChildProcess
     {
         using Process own = Process.GetCurrentProcess();
         string runtime = own.MainModule!.FileName;
-        string assembly = typeof(ChildProcess).Assembly.Location;
+        string assembly = typeof(MeasuredChild).Assembly.Location;
         bool isProgram = string.Equals(
             System.IO.Path.GetFileName(runtime), System.IO.Path.GetFileNameWithoutExtension(assembly),
             StringComparison.Ordinal);
