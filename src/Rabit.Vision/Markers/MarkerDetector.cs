@@ -17,7 +17,9 @@ namespace Rabit.Vision;
 /// <para>
 /// A marker needs a white margin of about a cell. It is not found where it touches the edge of the picture, where
 /// something hides a part of its ring, or as a mirror image. In 4 x 4 no cell is corrected, in 36h11 two are: an
-/// ArUco id with a wrong cell is more often something else.
+/// ArUco id with a wrong cell is more often something else. The ids 10, 17, 34 and 37 of DICT_4X4_50 are what squares
+/// in squares and frames behind others look like: they need cells of 4 pixels and a clear reading. The others are the
+/// better choice for what is seen from afar.
 /// </para>
 /// </remarks>
 /// <example>
@@ -99,7 +101,8 @@ public sealed class MarkerDetector
             double misfit = WhiteGrowth.Correct(
                 view, ref corners, dictionary, dictionary.CodeOf(marker.Id), out double growth);
             double cell = corners.MinSide / dictionary.Cells;
-            if (misfit > dictionary.Limits.MaxMisfitOf(cell) || growth < dictionary.Limits.MinGrowth * cell)
+            if (misfit > dictionary.Limits.MaxMisfitOf(cell) || growth < dictionary.Limits.MinGrowth * cell
+                || (dictionary.IsSimple(marker.Id) && !dictionary.Limits.AcceptsSimple(cell, marker.Margin)))
                 continue;
             marker.Corners = corners;
             marker.CornerSigmaPixels = CornerSigma(cell, roughness);

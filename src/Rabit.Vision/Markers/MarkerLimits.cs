@@ -30,6 +30,8 @@ internal sealed class MarkerLimits
         MaxMisfit = 0.14,
         MaxMisfitPixels = 0.3,
         MinGrowth = -0.05,
+        MinSimpleCellPixels = 4,
+        MinSimpleMargin = 0.97,
     };
 
     /// <summary>How many cells may be read wrong.</summary>
@@ -58,4 +60,15 @@ internal sealed class MarkerLimits
 
     /// <summary>How far white grows over black, cells: in no picture of a camera does black grow.</summary>
     public double MinGrowth { get; private init; }
+
+    /// <summary>
+    /// Whether a marker of a simple code (<see cref="MarkerDictionary.IsSimple"/>) is clear enough: squares in squares
+    /// make such a code, and where its cells are small nothing but their sharpness distinguishes them.
+    /// </summary>
+    public bool AcceptsSimple(double cellPixels, double margin)
+        => cellPixels >= MinSimpleCellPixels && margin >= MinSimpleMargin;
+
+    private double MinSimpleCellPixels { get; init; }
+
+    private double MinSimpleMargin { get; init; }
 }

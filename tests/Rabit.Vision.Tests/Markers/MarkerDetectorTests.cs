@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Rabit.Tests.Shared;
 using Xunit;
 using Xunit.Abstractions;
@@ -98,6 +99,35 @@ public sealed class MarkerDetectorTests(ITestOutputHelper output)
 
     [Fact]
     public void Find_NoiseAndClutter_HasNoId() => FindNothing(seed: 20, count: 200);
+
+    // Picture 31 has squares in squares that read as id 10 to the last cell, with cells of 3 pixels.
+    [Fact]
+    public void Find_SquaresInSquaresLikeASimpleCode_HasNoId() => FindNothing(seed: 122, count: 32);
+
+    [Theory]
+    [InlineData(3.2, 0)]
+    [InlineData(4.6, 1)]
+    public void Find_SimpleCode_IsReadWhereItsCellsAreLarge(double cellPixels, int found)
+    {
+        MarkerDictionary dictionary = MarkerDictionary.ArUco4x4;
+        int[] simple = [.. Enumerable.Range(0, dictionary.Count).Where(dictionary.IsSimple)];
+        Assert.Equal([10, 17, 34, 37], simple);
+        var detector = new MarkerDetector();
+        foreach (int id in simple)
+        {
+            byte[] grey = DrawnMarker.Draw(Size, dictionary, id, dictionary.Cells * cellPixels, 0.3);
+            Assert.Equal(found, detector.Find(grey, Size, Size).Length);
+        }
+
+        // One that no two rectangles look like.
+        byte[] other = DrawnMarker.Draw(Size, dictionary, 13, dictionary.Cells * cellPixels, 0.3);
+        Assert.Equal(13, Assert.Single(detector.Find(other, Size, Size).ToArray()).Id);
+    }
+
+    [Fact]
+    public void IsSimple_LargerFamily_NoneIs()
+        => Assert.DoesNotContain(
+            Enumerable.Range(0, MarkerDictionary.AprilTag36h11.Count), MarkerDictionary.AprilTag36h11.IsSimple);
 
     [Theory, Trait("Category", "Long")]
     [InlineData(21)]
