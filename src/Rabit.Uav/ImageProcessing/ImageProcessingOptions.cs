@@ -158,9 +158,18 @@ public sealed class ImageProcessingOptions
     internal double EffectiveMinTargetPixels
         => MinTargetPixels ?? (Detector is null ? ColourDetector.MinSidePixels : 0);
 
-    // One for each kind of class that there is.
-    internal ITargetDetector CreateDetector()
+    /// <summary>
+    /// Makes the detector that searches for <see cref="TargetClasses"/> where <see cref="Detector"/> is null: one for
+    /// each kind of class that there is. For a detector of your own that adds to it, and for measurements.
+    /// </summary>
+    /// <returns>A new detector, for one thread; it keeps its memory from picture to picture.</returns>
+    /// <exception cref="InvalidOperationException">Options are out of their range; the text names all.</exception>
+    public ITargetDetector CreateDetector()
     {
+        string[] faults = [.. FindFaults(hasCamera: false)];
+        if (faults.Length > 0)
+            throw new InvalidOperationException("Image Processing: " + string.Join("; ", faults) + ".");
+
         // A thermal camera sees nothing else.
         ImmutableArray<TargetClass> hotSpots = [.. TargetClasses.Where(c => c.HotSpot is not null)];
         if (!hotSpots.IsEmpty)
