@@ -30,6 +30,9 @@ public sealed class CameraSourceTests : IDisposable
 
         Assert.Equal("sh", camera.GetProperty("name").GetString());
         Assert.True(camera.GetProperty("taken").GetInt64() > 0, console.ToString());
+        const string timeSource = "arrival less 50 ms, standard deviation 20 ms";
+        Assert.Equal(timeSource, camera.GetProperty("timeSource").GetString());
+        Assert.Contains("  time of a picture: " + timeSource, console.Output);
         Assert.Contains(console.Output, line => line.StartsWith("camera sh: ", StringComparison.Ordinal));
     }
 

@@ -22,6 +22,7 @@ public sealed class CameraSummary
         Skipped = counts.Skipped;
         WithoutBuffer = counts.WithoutBuffer;
         WithoutTime = counts.WithoutTime;
+        TimeSource = counts.TimeSource;
         Restarts = counts.Restarts;
         LastRefusal = counts.LastFault;
     }
@@ -56,6 +57,12 @@ public sealed class CameraSummary
     /// Pictures whose time is known by their arrival alone, although the camera's program should report it.
     /// </summary>
     public long WithoutTime { get; }
+
+    /// <summary>
+    /// Where the time of its pictures comes from, with its standard deviation, as of the last one; null if it is not
+    /// known.
+    /// </summary>
+    public string? TimeSource { get; }
 
     /// <summary>How often it was tried to open the camera again.</summary>
     public long Restarts { get; }

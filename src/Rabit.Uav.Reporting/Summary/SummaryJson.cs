@@ -76,6 +76,7 @@ public static class SummaryJson
         json.WriteNumber("skipped", camera.Skipped);
         json.WriteNumber("withoutBuffer", camera.WithoutBuffer);
         json.WriteNumber("withoutTime", camera.WithoutTime);
+        json.WriteString("timeSource", camera.TimeSource);
         json.WriteNumber("restarts", camera.Restarts);
         json.WriteString("lastRefusal", camera.LastRefusal);
         json.WriteEndObject();

@@ -148,6 +148,8 @@ public sealed class SummaryText
             skipped,
             withoutTime,
             restarts));
+        if (camera.TimeSource is { } source)
+            Line("  time of a picture: " + FlightText.Printable(source));
         if (camera.LastRefusal is { } why)
             Line((camera.Restarts == 0 ? "  refused last: " : "  last fault: ") + FlightText.Printable(why));
     }

@@ -20,6 +20,8 @@ internal static class CameraDescription
 
     private const string FrameStart = "frameStartMicroseconds";
     private const string Exposure = "exposureMicroseconds";
+    private const string TimeNoise = "timeNoiseMicroseconds";
+    private const double MaxTimeNoise = 10e6;
 
     /// <exception cref="PictureException">
     /// It is no JSON, or describes no camera; the text names all that is wrong.
@@ -48,6 +50,7 @@ internal static class CameraDescription
                 ? CameraSourceDescription.Read(root.RequiredObject("source"), model, folder, faults)
                 : null;
             List<ListedPicture> listed = ReadFrames(root, faults);
+            TimeSpan? timeNoise = ReadTimeNoise(root, source is not null, faults);
             if (source is not null && root.Has("frames"))
                 faults.Add("there are both a source, which gives the pictures, and frames, which lists them");
             root.Renamed(("time_source", "timeSource"), ("mount", "camera.mount"));
@@ -60,7 +63,11 @@ internal static class CameraDescription
                 faults.AddRange(FindFaults(model, mount));
             if (faults.Count > 0)
                 throw new PictureException(file, string.Join("; ", faults));
-            return new CameraFolder(folder, model, mount, listed) { Source = source };
+            return new CameraFolder(folder, model, mount, listed)
+            {
+                Source = source,
+                TimeNoise = timeNoise ?? CameraFolder.DefaultTimeNoise,
+            };
         }
     }
 
@@ -114,6 +121,24 @@ internal static class CameraDescription
         foreach (double number in numbers)
             json.WriteNumberValue(number);
         json.WriteEndArray();
+    }
+
+    // Of pictures in files: a source has its own, which may depend on what it finds.
+    private static TimeSpan? ReadTimeNoise(JsonFields root, bool hasSource, List<string> faults)
+    {
+        if (!root.Has(TimeNoise))
+            return null;
+        if (hasSource)
+            faults.Add($"{TimeNoise} is of pictures in files; that of a source is source.{TimeNoise}");
+        if (root.Number(TimeNoise) is not { } number || double.IsNaN(number))
+            return null;
+        if (!(number >= 0 && number <= MaxTimeNoise))
+        {
+            faults.Add(FormattableString.Invariant($"{TimeNoise} is {number}; it must be 0 to {MaxTimeNoise}"));
+            return null;
+        }
+
+        return TimeSpan.FromTicks((long)(number * PictureFolderWriter.TicksPerMicrosecond));
     }
 
     private static List<ListedPicture> ReadFrames(JsonFields root, List<string> faults)

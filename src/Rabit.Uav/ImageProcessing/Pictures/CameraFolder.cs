@@ -22,6 +22,8 @@ public sealed class CameraFolder
     /// <summary>Name of the file that describes the camera.</summary>
     public const string DescriptionFile = "camera.json";
 
+    internal static readonly TimeSpan DefaultTimeNoise = TimeSpan.FromMilliseconds(5);
+
     internal CameraFolder(string path, CameraModel camera, CameraMount mount, IReadOnlyList<ListedPicture> listed)
     {
         (Path, Camera, Mount, Listed) = (path, camera, mount, listed);
@@ -35,6 +37,15 @@ public sealed class CameraFolder
 
     /// <summary>How the camera sits on the vehicle: fixed, or on a gimbal where camera.json says so.</summary>
     public CameraMount Mount { get; }
+
+    /// <summary>
+    /// How wrong the times in the names of the pictures, or in camera.json, may be, one standard deviation: it goes
+    /// into the error budget of what is seen. "timeNoiseMicroseconds" of camera.json.
+    /// </summary>
+    /// <value>
+    /// The default is 5 ms, assumed, not measured: what writes a picture's name takes the time beside the exposure.
+    /// </value>
+    public TimeSpan TimeNoise { get; internal init; } = DefaultTimeNoise;
 
     /// <summary>Pictures that camera.json lists, by the start of their exposure.</summary>
     internal IReadOnlyList<ListedPicture> Listed { get; }

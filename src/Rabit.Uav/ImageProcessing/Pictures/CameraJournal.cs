@@ -18,6 +18,7 @@ internal sealed class CameraJournal(string camera)
     private long _restarts;
     private string? _fault;
     private string? _lastFault;
+    private string? _timeSource;
     private TimeSpan? _refusedSince;   // null after a picture that was good; of the thread of the camera alone
     private Action<string>? _log;      // set by any thread
 
@@ -28,6 +29,7 @@ internal sealed class CameraJournal(string camera)
         Skipped = Interlocked.Read(ref _skipped),
         WithoutBuffer = Interlocked.Read(ref _withoutBuffer),
         WithoutTime = Interlocked.Read(ref _withoutTime),
+        TimeSource = Volatile.Read(ref _timeSource),
         Restarts = Interlocked.Read(ref _restarts),
         Fault = Volatile.Read(ref _fault),
         LastFault = Volatile.Read(ref _lastFault),
@@ -45,8 +47,10 @@ internal sealed class CameraJournal(string camera)
     public void Begin() => _refusedSince = null;
 
     /// <summary>A picture was delivered: nothing keeps the camera from giving pictures.</summary>
-    public void Deliver()
+    /// <param name="timeSource">Where its time comes from, with its error.</param>
+    public void Deliver(string timeSource)
     {
+        Volatile.Write(ref _timeSource, timeSource);
         _refusedSince = null;
         Interlocked.Increment(ref _delivered);
         Volatile.Write(ref _fault, null);

@@ -27,6 +27,9 @@ internal static class CameraSourceDescription
     private const double MinExposure = 100;
     private const double MaxMicroseconds = 10e6;
 
+    // Of a program without metadata, or for the pictures whose metadata do not come.
+    private const double MinArrivalNoise = 20_000;
+
     /// <param name="source">The object of the source.</param>
     /// <param name="model">The camera, whose size the pictures have.</param>
     /// <param name="folder">What the path of a program is relative to.</param>
@@ -67,7 +70,7 @@ internal static class CameraSourceDescription
             MaxFramesPerSecond = rate,
             Exposure = ReadMicroseconds(source, Exposure, 0, faults) ?? defaults.Exposure,
             Latency = ReadMicroseconds(source, Latency, 0, faults) ?? defaults.Latency,
-            TimeNoise = ReadMicroseconds(source, TimeNoise, 0, faults) ?? defaults.TimeNoise,
+            TimeNoise = ReadMicroseconds(source, TimeNoise, MinArrivalNoise, faults) ?? defaults.TimeNoise,
             MetadataTimeNoise = ReadMicroseconds(source, MetadataTimeNoise, 0, faults) ?? defaults.MetadataTimeNoise,
             StallTimeout = ReadStall(source, defaults.StallTimeout, faults),
         };

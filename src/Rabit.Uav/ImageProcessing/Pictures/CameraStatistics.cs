@@ -22,6 +22,12 @@ public readonly record struct CameraStatistics
     /// </summary>
     public long WithoutTime { get; init; }
 
+    /// <summary>
+    /// Where the time of its pictures comes from and how wrong it may be, one line, as of the last picture; null before
+    /// the first of a camera that finds out by it, and where a camera does not report it.
+    /// </summary>
+    public string? TimeSource { get; init; }
+
     /// <summary>Pictures that were begun before the run, and were therefore not read.</summary>
     public long BeforeRun { get; init; }
 

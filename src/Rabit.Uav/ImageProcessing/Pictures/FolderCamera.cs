@@ -73,6 +73,7 @@ public sealed class FolderCamera : ICamera
         BeforeRun = PicturesBeforeRun,
         Late = PicturesLate,
         Ahead = PicturesAhead,
+        TimeSource = PictureTimeSource.Describe("names of the pictures or camera.json", _folder.TimeNoise),
         Fault = Volatile.Read(ref _fault),
         LastFault = LastRefusal,
     };
@@ -193,6 +194,7 @@ public sealed class FolderCamera : ICamera
             Number = picture.Facts.Number,
             FrameStart = RunTime(picture.Facts.StartUtcMicroseconds),
             Exposure = ExposureOf(picture),
+            TimeNoise = _folder.TimeNoise,
         };
         Interlocked.Increment(ref _delivered);
         return true;

@@ -41,6 +41,8 @@ public sealed partial class ProcessCamera : ICamera
     private readonly RestartDelay _delay;
     private readonly CameraJournal _journal;
     private readonly LineLimit _lines;
+    private readonly string _ofArrival;
+    private readonly string _ofMetadata;
     private ReaderContext? _context;
     private ChildProcess? _process;
     private ITimer? _stall;
@@ -48,6 +50,7 @@ public sealed partial class ProcessCamera : ICamera
     private TimeSpan _frameStart;
     private TimeSpan _exposure;
     private TimeSpan _timeNoise;
+    private string _timeSource;
     private bool _isTimeKnown = true;
     private bool _hasBytes;   // since the last whole picture
     private string? _end;     // how the program ended, while that may still be the end that was asked for
@@ -72,6 +75,9 @@ public sealed partial class ProcessCamera : ICamera
         _delay = new RestartDelay(_options.FirstRestartDelay, _options.MaxRestartDelay);
         _journal = new CameraJournal(_options.Program);
         _lines = new LineLimit(Log);
+        _ofArrival = PictureTimeSource.OfArrival(_options.Latency, _options.TimeNoise);
+        _ofMetadata = PictureTimeSource.Describe("the program's metadata", _options.MetadataTimeNoise);
+        _timeSource = _ofArrival;
     }
 
     /// <inheritdoc/>
@@ -203,7 +209,7 @@ public sealed partial class ProcessCamera : ICamera
     // Of the picture that came last, also of one that is not wanted: else the program would wait for its reader.
     private bool TryFindTime()
     {
-        (_exposure, _timeNoise) = (_options.Exposure, _options.TimeNoise);
+        (_exposure, _timeNoise, _timeSource) = (_options.Exposure, _options.TimeNoise, _ofArrival);
         _frameStart = _arrived - _options.Latency - _exposure;
         if (_times is null)
             return true;
@@ -228,9 +234,15 @@ public sealed partial class ProcessCamera : ICamera
         }
 
         if (isKnown)
-            (_frameStart, _exposure, _timeNoise) = (start, exposure, _options.MetadataTimeNoise);
+        {
+            (_frameStart, _exposure) = (start, exposure);
+            (_timeNoise, _timeSource) = (_options.MetadataTimeNoise, _ofMetadata);
+        }
         else
+        {
             _journal.MissTime();
+        }
+
         if (!isKnown && _isTimeKnown && !_isStopping)
             Log($"{_options.Program}: no time of a picture in its metadata; that of the arrival is taken");
         _isTimeKnown = isKnown;
@@ -266,7 +278,7 @@ public sealed partial class ProcessCamera : ICamera
             return false;
         }
 
-        _journal.Deliver();
+        _journal.Deliver(_timeSource);
         frame = new CameraFrame
         {
             Pixels = lease,

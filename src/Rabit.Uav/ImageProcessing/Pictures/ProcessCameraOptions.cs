@@ -49,8 +49,10 @@ public sealed class ProcessCameraOptions
     /// <summary>
     /// How wrong the time of a picture is, one standard deviation: it goes into the error budget of what is seen.
     /// </summary>
-    /// <value>The default is 20 ms, which is the least that arrival alone can be relied on for.</value>
-    public TimeSpan TimeNoise { get; set; } = TimeSpan.FromMilliseconds(20);
+    /// <value>
+    /// The default is 20 ms, which is the least that arrival alone can be relied on for: less is refused.
+    /// </value>
+    public TimeSpan TimeNoise { get; set; } = PictureTimeSource.MinArrivalNoise;
 
     /// <summary>As <see cref="TimeNoise"/>, of a picture whose time the program's metadata give.</summary>
     /// <value>The default is 1 ms.</value>
@@ -109,10 +111,18 @@ public sealed class ProcessCameraOptions
             throw new ArgumentException(
                 $"The camera of {Program}: {MetadataPlace} stands in its arguments, and works on Linux only.",
                 parameter);
-        if (Exposure < TimeSpan.Zero || Latency < TimeSpan.Zero || TimeNoise < TimeSpan.Zero
-            || MetadataTimeNoise < TimeSpan.Zero)
+        if (Exposure < TimeSpan.Zero || Latency < TimeSpan.Zero || MetadataTimeNoise < TimeSpan.Zero)
             throw new ArgumentException(
                 $"The camera of {Program}: exposure, latency and time noise must not be negative.", parameter);
+        if (TimeNoise < PictureTimeSource.MinArrivalNoise)
+        {
+            throw new ArgumentException(
+                FormattableString.Invariant($"The camera of {Program}: {nameof(TimeNoise)} is ")
+                    + FormattableString.Invariant($"{TimeNoise.TotalMilliseconds} ms; a time by arrival is not known ")
+                    + "better than to 20 ms.",
+                parameter);
+        }
+
         if (MaxFramesPerSecond is { } rate && !(rate >= MinRate && rate <= MaxRate))
             throw new ArgumentException(
                 FormattableString.Invariant(

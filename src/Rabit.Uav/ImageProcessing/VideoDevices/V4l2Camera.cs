@@ -36,7 +36,6 @@ public sealed class V4l2Camera : ICamera
     private const int WaitMilliseconds = 50;
 
     private static readonly TimeSpan ArrivalLatency = TimeSpan.FromMilliseconds(50);
-    private static readonly TimeSpan ArrivalNoise = TimeSpan.FromMilliseconds(20);
     private static readonly TimeSpan StampNoise = TimeSpan.FromMilliseconds(5);
     private static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(10);
 
@@ -47,6 +46,10 @@ public sealed class V4l2Camera : ICamera
     private readonly PictureRate _rate;
     private readonly RestartDelay _delay;
     private readonly CameraJournal _journal;
+    private readonly TimeSpan _stampNoise;
+    private readonly TimeSpan _arrivalNoise;
+    private readonly string _ofStamp;
+    private readonly string _ofArrival;
     private byte[] _bytes = [];
     private ReaderContext? _context;
     private V4l2Device? _device;
@@ -75,6 +78,11 @@ public sealed class V4l2Camera : ICamera
         _pictures = new CameraPictures(_options.Device, _options.Width, _options.Height);
         _rate = new PictureRate(_options.FramesPerSecond);
         _delay = new RestartDelay(_options.FirstRestartDelay, _options.MaxRestartDelay);
+        TimeSpan least = PictureTimeSource.MinArrivalNoise;
+        _stampNoise = _options.TimeNoise ?? StampNoise;
+        _arrivalNoise = _options.TimeNoise is { } noise && noise > least ? noise : least;
+        _ofStamp = PictureTimeSource.Describe("time of the driver", _stampNoise);
+        _ofArrival = PictureTimeSource.OfArrival(_options.Latency ?? ArrivalLatency, _arrivalNoise);
     }
 
     /// <inheritdoc/>
@@ -242,9 +250,9 @@ public sealed class V4l2Camera : ICamera
             throw;
         }
 
-        frame = Stamp(device, buffer, now, monotonic);
+        frame = Stamp(device, buffer, now, monotonic, out bool isStamped);
         frame.Pixels = lease;
-        _journal.Deliver();
+        _journal.Deliver(isStamped ? _ofStamp : _ofArrival);
         return true;
     }
 
@@ -260,12 +268,13 @@ public sealed class V4l2Camera : ICamera
             Yuyv.ToRgb(_bytes, 0, device.RowBytes, _options.Width, _options.Height, device.IsFullRange, pixels);
     }
 
-    private CameraFrame Stamp(V4l2Device device, in V4l2Buffer buffer, TimeSpan now, long monotonic)
+    private CameraFrame Stamp(
+        V4l2Device device, in V4l2Buffer buffer, TimeSpan now, long monotonic, out bool isStamped)
     {
         TimeSpan exposure = device.Controls.Exposure;
         TimeSpan age = TimeSpan.FromTicks(
             (monotonic - buffer.StampMicroseconds) * PictureFolderWriter.TicksPerMicrosecond);
-        bool isStamped = buffer.IsStamped && age >= TimeSpan.Zero && age < MaxAge;
+        isStamped = buffer.IsStamped && age >= TimeSpan.Zero && age < MaxAge;
         TimeSpan latency = _options.Latency ?? (isStamped ? TimeSpan.Zero : ArrivalLatency);
         TimeSpan start = (isStamped ? now - age : now) - latency;
         if (!isStamped)
@@ -279,7 +288,7 @@ public sealed class V4l2Camera : ICamera
             Number = _number,
             FrameStart = start,
             Exposure = exposure,
-            TimeNoise = _options.TimeNoise ?? (isStamped ? StampNoise : ArrivalNoise),
+            TimeNoise = isStamped ? _stampNoise : _arrivalNoise,
         };
     }
 

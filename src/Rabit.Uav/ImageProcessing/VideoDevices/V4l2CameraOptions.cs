@@ -60,7 +60,8 @@ public sealed class V4l2CameraOptions
     /// How wrong the time of a picture is, one standard deviation: it goes into the error budget of what is seen.
     /// </summary>
     /// <value>
-    /// The default is null: 5 ms, and 20 ms without the driver's time. Both are assumed, not measured.
+    /// The default is null: 5 ms, and 20 ms without the driver's time. Both are assumed, not measured. Without the
+    /// driver's time less than 20 ms counts as 20 ms.
     /// </value>
     public TimeSpan? TimeNoise { get; set; }
 

@@ -117,6 +117,8 @@ public sealed class CameraSourceDescriptionTests : IDisposable
     [InlineData(
         """{ "program": "x", "arguments": ["{framesPerSecond}"] }""", "source.framesPerSecond is missing, and ")]
     [InlineData("""{ "program": "x", "latencyMicroseconds": -1 }""", "source.latencyMicroseconds is -1; it must be 0 ")]
+    [InlineData(
+        """{ "program": "x", "timeNoiseMicroseconds": 19999 }""", "source.timeNoiseMicroseconds is 19999; it must be 20000 ")]
     [InlineData("""{ "program": "x", "stallTimeoutSeconds": 0 }""", "source.stallTimeoutSeconds is 0; it must be 0.1 ")]
     [InlineData("""{ "program": "x", "argument": ["a"] }""", "source.argument is unknown; did you mean arguments?")]
     [InlineData("\"rpicam-vid\"", "source is missing or no object")]

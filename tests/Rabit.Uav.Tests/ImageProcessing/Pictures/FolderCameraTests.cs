@@ -40,6 +40,41 @@ public sealed class FolderCameraTests : IDisposable
         Assert.Null(_rig.Camera.LastRefusal);
     }
 
+    [Theory]
+    [InlineData("", 5)]
+    [InlineData(", \"timeNoiseMicroseconds\": 1500", 1.5)]
+    [InlineData(", \"timeNoiseMicroseconds\": 0", 0)]
+    public void Read_TimeNoise_IsThatOfTheDescription(string key, double milliseconds)
+    {
+        string file = _rig.PathOf(CameraFolder.DescriptionFile);
+        string json = File.ReadAllText(file).TrimEnd();
+        File.WriteAllText(file, json.Insert(json.Length - 1, key));
+        _rig.Reopen();
+        _rig.Write(1, At(0.5));
+
+        _rig.RunFor(At(1));
+
+        Assert.Equal(milliseconds, _rig.Taken.Single().Frame.TimeNoise.TotalMilliseconds);
+        Assert.Equal(
+            FormattableString.Invariant(
+                $"names of the pictures or camera.json, standard deviation {milliseconds} ms"),
+            _rig.Camera.Statistics.TimeSource);
+    }
+
+    [Theory]
+    [InlineData("-1", "timeNoiseMicroseconds is -1; it must be 0 to 10000000")]
+    [InlineData("\"5\"", "timeNoiseMicroseconds is \"5\"; it must be a number")]
+    [InlineData("5, \"source\": { \"program\": \"x\" }", "that of a source is source.timeNoiseMicroseconds")]
+    public void Open_TimeNoiseThatIsNone_IsRefused(string value, string expected)
+    {
+        string file = _rig.PathOf(CameraFolder.DescriptionFile);
+        string json = File.ReadAllText(file).TrimEnd();
+        File.WriteAllText(file, json.Insert(json.Length - 1, ", \"timeNoiseMicroseconds\": " + value));
+
+        Assert.Contains(
+            expected, Assert.Throws<PictureException>(() => _rig.Reopen()).Reason, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Read_GrowingFolder_GivesEachPictureSoon()
     {

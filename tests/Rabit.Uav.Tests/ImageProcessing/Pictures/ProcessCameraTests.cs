@@ -87,9 +87,21 @@ public sealed partial class ProcessCameraTests : IDisposable
         TimeSpan between = frames[1].FrameStart - frames[0].FrameStart;   // 102 ms in the metadata, 300 in the pipe
         Assert.InRange(between.TotalMilliseconds, 52, 152);
         Assert.Equal((2, 0), (camera.PicturesDelivered, camera.Statistics.WithoutTime));
+        Assert.Equal("the program's metadata, standard deviation 1 ms", camera.Statistics.TimeSource);
         string pipe = _log.First(line => line.Contains("pipe=")).Split('=')[1];
         Assert.StartsWith(Path.Combine(Path.GetTempPath(), "rabit-metadata-"), pipe, StringComparison.Ordinal);
         Assert.False(File.Exists(pipe), pipe);
+    }
+
+    [Fact]
+    public void Constructor_TimeByArrivalThatIsTooGood_IsRefused()
+    {
+        ProcessCameraOptions options = Options("sleep 60");
+        options.TimeNoise = TimeSpan.FromMilliseconds(19);
+
+        Assert.Contains(
+            "TimeNoise is 19 ms; a time by arrival is not known better than to 20 ms",
+            Assert.Throws<ArgumentException>(() => new ProcessCamera(options)).Message, StringComparison.Ordinal);
     }
 
     [LinuxTheory]
@@ -107,6 +119,7 @@ public sealed partial class ProcessCameraTests : IDisposable
 
         Assert.Equal((options.TimeNoise, options.Exposure), (frames[0].TimeNoise, frames[0].Exposure));
         Assert.Equal((1, 1), (camera.PicturesDelivered, camera.Statistics.WithoutTime));
+        Assert.Equal("arrival less 50 ms, standard deviation 20 ms", camera.Statistics.TimeSource);
         Assert.Contains("sh: no time of a picture in its metadata; that of the arrival is taken", _log);
     }
 

@@ -98,6 +98,27 @@ public sealed class V4l2CameraTests : IDisposable
         TimeSpan arrival = frame.FrameStart + TimeSpan.FromTicks((long)(earlierMilliseconds * 10_000));
         Assert.InRange(arrival, before, now);
         Assert.Equal((4.0, noiseMilliseconds), (frame.Exposure.TotalMilliseconds, frame.TimeNoise.TotalMilliseconds));
+        Assert.Equal(
+            noiseMilliseconds < 20
+                ? "time of the driver, standard deviation 5 ms"
+                : "arrival less 50 ms, standard deviation 20 ms",
+            _camera!.Statistics.TimeSource);
+    }
+
+    [Theory]
+    [InlineData(FakeVideoSystem.StartOfExposure, 8)]
+    [InlineData(FakeVideoSystem.NoClock, 20)]
+    public void Read_StatedNoise_IsNoLessThanArrivalAllows(uint flags, double expectedMilliseconds)
+    {
+        _system = new FakeVideoSystem(8);
+        V4l2CameraOptions options = Options();
+        options.TimeNoise = TimeSpan.FromMilliseconds(8);
+        Start(options);
+
+        _system.Deliver(Jpeg, flags, 30_000);
+        Take(1);
+
+        Assert.Equal(expectedMilliseconds, _taken.Single().Frame.TimeNoise.TotalMilliseconds);
     }
 
     [Fact]
