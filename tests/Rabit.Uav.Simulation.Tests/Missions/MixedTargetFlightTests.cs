@@ -40,8 +40,8 @@ public sealed class MixedTargetFlightTests(ITestOutputHelper output)
     }
 
     /// <summary>
-    /// Straight down from 30 m. Measured: all found but one car, nothing else; more seeds, some of which do
-    /// not keep this, in docs/concepts/simulation.md.
+    /// Straight down from 30 m. Measured: all found but one car, nothing else; more seeds in
+    /// docs/concepts/simulation.md.
     /// </summary>
     [Fact, Trait("Category", "Long")]
     public void Search_FiveSeedsOfAllKinds_AreFoundByTheirClasses()
@@ -82,7 +82,7 @@ public sealed class MixedTargetFlightTests(ITestOutputHelper output)
         Check(score, FormattableString.Invariant($"seed {seed}"));
     }
 
-    /// <summary>Half of the panel was taken for a person in four pictures.</summary>
+    /// <summary>Half of the panel was taken for a person in four pictures, before PanelHalf.</summary>
     [Fact, Trait("Category", "Long")]
     public void Search_HalfOfAPanelLooksLikeAPersonNowAndThen_IsNoSecondTarget()
     {
