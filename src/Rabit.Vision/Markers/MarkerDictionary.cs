@@ -50,8 +50,8 @@ internal sealed class MarkerDictionary
     public ulong CodeOf(int id, int turn = 0) => _codes[(4 * id) + turn];
 
     /// <summary>
-    /// Whether two rectangles that cover each other look like the marker: the ids 10, 17, 34 and 37 of DICT_4X4_50, none
-    /// of 36h11.
+    /// Whether two rectangles that cover each other look like the marker: the ids 10, 17, 34 and 37 of DICT_4X4_50,
+    /// none of 36h11.
     /// </summary>
     public bool IsSimple(int id) => _isSimple[id];
 
