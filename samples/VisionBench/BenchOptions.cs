@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
+using System.Collections.Immutable;
 using System.Globalization;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
 
 namespace VisionBench;
 
@@ -44,7 +46,7 @@ internal sealed class BenchOptions
                 case "--part" when i + 1 < args.Length && args[i + 1] is "all" or "odd" or "even":
                     options.Part = args[++i];
                     break;
-                case "--detector" when i + 1 < args.Length && args[i + 1] is "squares" or "shapes":
+                case "--detector" when i + 1 < args.Length && args[i + 1] is "squares" or "shapes" or "default":
                     options._detector = args[++i];
                     break;
                 case "--html" when i + 1 < args.Length:
@@ -70,9 +72,16 @@ internal sealed class BenchOptions
     public string Describe() => $"detector {_detector}, {Part} frames" + (IsColourEnough ? ", by colour alone" : "");
 
     public Bench CreateBench()
-        => _detector == "shapes"
-            ? new(new ShapeTargetDetector(BenchClasses.All), BenchClasses.All, IsColourEnough, _repeats)
-            : new(new ColourTargetDetector(BenchClasses.Panels), BenchClasses.Panels, IsColourEnough, _repeats);
+        => _detector switch
+        {
+            "squares" => Create(new ColourTargetDetector(BenchClasses.Panels), BenchClasses.Panels),
+            "default" => Create(
+                new ImageProcessingOptions { TargetClasses = BenchClasses.All }.CreateDetector(), BenchClasses.All),
+            _ => Create(new ShapeTargetDetector(BenchClasses.All), BenchClasses.All),
+        };
+
+    private Bench Create(ITargetDetector detector, ImmutableArray<TargetClass> classes)
+        => new(detector, classes, IsColourEnough, _repeats);
 
     private static bool TryCount(string text, out int count)
         => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out count) && count > 0;

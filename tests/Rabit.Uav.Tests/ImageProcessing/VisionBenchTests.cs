@@ -39,6 +39,18 @@ public sealed class VisionBenchTests : IDisposable
         Assert.Equal("", errors.Split('\r').Last());
     }
 
+    [Fact]
+    public void Run_DefaultDetector_IsThatOfTheClassesOfTheSets()
+    {
+        (int exit, string output, string errors) = Run(false, Stills, "--detector", "default");
+        Assert.Equal((0, ""), (exit, errors));
+        Assert.StartsWith("stills, 12 frames", output, StringComparison.Ordinal);
+
+        // Squares know no vehicles, and forms find the person.
+        Assert.Matches("vehicles found +[1-9]", output);
+        Assert.Matches("persons found +0/1", output);
+    }
+
     [Theory]
     [InlineData("--html", "--html: it is no argument, or something is missing after it")]
     [InlineData("--part", "--part: it is no argument, or something is missing after it")]
