@@ -76,6 +76,7 @@ public sealed class DetectorMemoryTests(ITestOutputHelper output)
 
         AddHeap(heap);
         GC.KeepAlive(detector);
+        GC.KeepAlive(painted);
         output.WriteLine($"seed {seed}: {detections} detections, heap {string.Join(", ", heap)}; found: "
             + string.Join(", ", Classes.Select((c, i) => $"{c.Name} {counts[i]}")));
         Assert.All(counts, c => Assert.True(c > 0, "a class was never found"));
