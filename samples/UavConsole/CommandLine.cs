@@ -200,7 +200,7 @@ internal static class CommandLine
     private static int Refuse(IEnumerable<string> faults, TextWriter errors)
     {
         string line = string.Join(" ", faults).Replace("\r", string.Empty).Replace("\n", " ");
-        FaultLine.Write(errors, line);
+        FaultLine.WriteWhole(errors, line);
         return BadInput;
     }
 

@@ -9,11 +9,14 @@ internal static class FaultLine
     /// <summary>Writes the line. Where standard error is closed too, the exit code remains.</summary>
     /// <param name="errors">Where to.</param>
     /// <param name="text">What is wrong; its first line is written.</param>
-    public static void Write(TextWriter errors, string text)
+    public static void Write(TextWriter errors, string text) => WriteWhole(errors, FirstOf(text));
+
+    /// <summary>As <see cref="Write"/>, of what is one line.</summary>
+    public static void WriteWhole(TextWriter errors, string line)
     {
         try
         {
-            errors.WriteLine("UavConsole: " + FirstOf(text));
+            errors.WriteLine("UavConsole: " + line);
         }
         catch (IOException)
         {

@@ -66,13 +66,16 @@ internal sealed class LegProgress
     }
 
     private bool IsNewLeg(MissionFlight flight)
-        => _to.DistanceTo(flight.GoalPosition) > 0 || !_height.Equals(flight.GoalHeightMetres);
+        => _to.DistanceTo(flight.GoalPosition) > 0 || !_height.Equals(HeightOf(flight));
+
+    // A goal that follows the drift of the barometer is the same one.
+    private static double HeightOf(MissionFlight flight) => flight.GoalHeightMetres - flight.HeightOffsetMetres;
 
     private void Begin(MissionFlight flight, double distance, double closing)
     {
         if (IsNewLeg(flight))
             _wasCommandedAgain = false;
-        (_to, _height, _isWatching) = (flight.GoalPosition, flight.GoalHeightMetres, true);
+        (_to, _height, _isWatching) = (flight.GoalPosition, HeightOf(flight), true);
         _turnsUntil = flight.ActiveTime + TimeSpan.FromSeconds(
             (flight.GroundSpeed + flight.Mission.SpeedMetresPerSecond) / BrakingMetresPerSecondSquared);
         Note(flight, distance, closing);

@@ -31,7 +31,7 @@ public sealed partial class MissionControlManager
         private readonly QueueSender<Envelope<FollowBid>> _outgoingFollowBids;
         private readonly MessagePublisher<GroupStatus> _status;
         private readonly MissionGroup _group;
-        private TimeSpan? _reported;
+        private TimeSpan _nextReport = TimeSpan.MinValue;
         private int _posted;   // the changes of the division that others know
 
         public GroupPort(MissionControlManager manager, MissionGroup group)
@@ -103,9 +103,12 @@ public sealed partial class MissionControlManager
         // What does not fit into a queue is counted by it, and sent again soon.
         public void Report(in GroupReport report, TimeSpan now)
         {
-            if (now - _reported < ReportPeriod)
+            if (now < _nextReport)
                 return;
-            _reported = now;
+
+            // Once a second on average: ticks are not at whole seconds, and four reports are to fit into SilentAfter.
+            bool isLate = _nextReport == TimeSpan.MinValue || now - _nextReport >= ReportPeriod;
+            _nextReport = (isLate ? now : _nextReport) + ReportPeriod;
             _ = _outgoingReports.Push(new Envelope<GroupReport> { Content = report });
         }
 

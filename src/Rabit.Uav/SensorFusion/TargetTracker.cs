@@ -14,6 +14,9 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
     // Above any cost within the gate: a report goes without a track only when none is left for it.
     private const double MissCost = 1e6;
 
+    // So long at least a track has not been reported that makes room for another one.
+    private static readonly TimeSpan MinUnseen = TimeSpan.FromSeconds(3);
+
     private readonly List<FusedTrack> _tracks = [];
     private readonly Assignment _assignment = new();
     private readonly TrackMerger _merger = new();
@@ -58,7 +61,7 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
     {
         _observationCount++;
         Pair(reports);
-        bool isChanged = MakeRoom(reports);
+        bool isChanged = MakeRoom(reports, time);
         if (isChanged)
             Pair(reports);
         int before = _tracks.Count;
@@ -97,7 +100,7 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
     }
 
     // Clutter would fill the room within a minute, and keep out every target that comes after it.
-    private bool MakeRoom(IReadOnlyList<LocatedReport> reports)
+    private bool MakeRoom(IReadOnlyList<LocatedReport> reports, TimeSpan time)
     {
         int missing = _tracks.Count - options.MaxTracks;
         Array.Clear(_isAssigned, 0, _isAssigned.Length);
@@ -111,8 +114,11 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
         }
 
         int removed = 0;
-        for (; missing > 0 && FindLeast() is var least and >= 0; missing--, removed++)
+        bool isLost = false;
+        for (; missing > 0 && !isLost && FindLeast(time) is var least and >= 0; missing--, removed++)
         {
+            // Of those that were confirmed once, one at most: a picture full of clutter is not to delete them all.
+            isLost = _tracks[least].State == TrackState.Lost;
             _isAssigned.AsSpan(least + 1).CopyTo(_isAssigned.AsSpan(least));
             Remove(least);
         }
@@ -122,15 +128,15 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
     }
 
     // The track that has not been reported for the longest, of those that were never confirmed; else of those that are
-    // lost. None that the operator has decided on. Below zero where there is none.
-    private int FindLeast()
+    // lost. None that the operator has decided on, or that was reported just now. Below zero where there is none.
+    private int FindLeast(TimeSpan time)
     {
         int least = -1;
         for (int i = 0; i < _tracks.Count; i++)
         {
             FusedTrack track = _tracks[i];
             bool isFree = !_isAssigned[i] && track.Decision == TargetDecision.None
-                && track.State is TrackState.Tentative or TrackState.Lost;
+                && time - track.LastSeen >= MinUnseen && track.State is TrackState.Tentative or TrackState.Lost;
             if (isFree && (least < 0 || IsLess(track, _tracks[least])))
                 least = i;
         }

@@ -19,6 +19,7 @@ internal sealed class GroupFlight : IDisposable
     private readonly List<MessageSubscriber<MissionStatus>> _missions = [];
     private readonly List<MessageSubscriber<GroupStatus>> _groups = [];
     private readonly List<MessageSubscriber<TrackList>> _tracks = [];
+    private readonly List<MessageSubscriber<VehicleState>> _states = [];
     private readonly List<StringBuilder> _logs = [];
     private readonly Action<int, RabitReactor>? _wire;
     private readonly bool _isGroup;
@@ -53,6 +54,8 @@ internal sealed class GroupFlight : IDisposable
     public GroupStatus GroupStatus(int vehicle) => Latest(_groups[vehicle]);
 
     public TrackList Tracks(int vehicle) => Latest(_tracks[vehicle]);
+
+    public VehicleState Vehicle(int vehicle) => Latest(_states[vehicle]);
 
     /// <returns>Whether it came so.</returns>
     public bool RunUntil(Func<bool> condition, double maxSeconds)
@@ -126,6 +129,7 @@ internal sealed class GroupFlight : IDisposable
         if (_isGroup)
             _groups.Add(reactor.Workspace.Subscribe<GroupStatus>(MessageNames.Group));
         _tracks.Add(reactor.Workspace.Subscribe<TrackList>(MessageNames.Tracks));
+        _states.Add(reactor.Workspace.Subscribe<VehicleState>(MessageNames.VehicleState));
         _wire?.Invoke(number, reactor);
         Group.Attach(number, reactor);
     }

@@ -5,11 +5,12 @@ using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 using Rabit.Uav.Simulation.Tests.Missions;
 using Xunit;
+using Xunit.Abstractions;
 
 namespace Rabit.Uav.Simulation.Tests.Group;
 
 /// <summary>Several whole companion computers search one area together, in virtual time, with a radio.</summary>
-public sealed class GroupFlightTests
+public sealed class GroupFlightTests(ITestOutputHelper output)
 {
     [Fact]
     public void Flight_Two_SearchTheAreaValidateEachOthersTargetsAndKeepApart()
@@ -150,23 +151,41 @@ public sealed class GroupFlightTests
         Assert.Empty(flight.Group.TooNear);
     }
 
-    // Of each in its own way: they are steered by it, and corrected by their satellite receivers.
+    // Of each in its own way: the autopilots hold what their barometers say, the goals follow the satellite receivers.
     [Theory]
     [Trait("Category", "Long")]
     [InlineData(5)]
     [InlineData(6)]
-    [InlineData(7)]
-    public void Flight_BarometersDrift_BothSearchAllAndKeepApart(long seed)
+    [InlineData(8)]
+    [InlineData(10)]
+    public void Flight_BarometersDrift_TrueHeightsStayThoseOfTheLayers(long seed)
     {
         SimulationOptions world = SearchFlight.SmallWorld();
         (world.Seed, world.BarometerDriftMetres) = (seed, 5);
-        using GroupFlight flight = Open(2, world);
-        Assert.True(flight.RunToEnd(), flight.Log);
-        Assert.All(Vehicles(2), i => Assert.True(flight.Mission(i).Coverage >= 0.98, flight.Log));
+        using GroupFlight flight = Open(2, world, speed: 1.5);   // long enough for a barometer to drift
+        (double reported, double real) = (0, 0);
+        bool hasEnded = flight.RunUntil(
+            () =>
+            {
+                foreach (int i in Vehicles(2).Where(i => flight.Mission(i).Phase == MissionPhase.Searching))
+                {
+                    double height = -flight.Group.Vehicles[i].World.Truth.Pose.Position.Down;
+                    real = Math.Max(real, Math.Abs(height - LayerHeight(i)));
+                    reported = Math.Max(reported, Math.Abs(flight.Vehicle(i).HeightAboveHomeMetres - LayerHeight(i)));
+                }
+
+                return Vehicles(2).All(i => flight.Mission(i).Phase is MissionPhase.Done or MissionPhase.Failed);
+            },
+            1800);
+        Assert.True(hasEnded, flight.Log);
+        output.WriteLine(FormattableString.Invariant(
+            $"seed {seed}: off the layers by {reported:0.0} m as reported, {real:0.0} m in truth"));
+        Assert.True(reported > 3, $"{reported} m reported");
+        Assert.InRange(real, 0, 3);
         Assert.Empty(flight.Group.TooNear);
-        Assert.All(Vehicles(2), i => Assert.True(
-            flight.Mission(i).Result.Outcome == MissionOutcome.Accomplished, flight.Log));
     }
+
+    private static double LayerHeight(int vehicle) => 18 + (19 * vehicle);
 
     // One mission, flown by each alone, from places beside each other.
     [Fact]
@@ -218,13 +237,15 @@ public sealed class GroupFlightTests
 
     // Low, so that the small pictures show what lies there.
     private static GroupFlight Open(
-        int vehicles, SimulationOptions world, bool hasEventLogs = false, bool isGroup = true,
+        int vehicles, SimulationOptions world, bool hasEventLogs = false, bool isGroup = true, double speed = 5,
         IReadOnlyDictionary<int, IReadOnlyList<ScriptedFault>>? vehicleFaults = null,
         params SimulatedGroupFault[] faults)
     {
         MissionPlan plan = MissionPlan.Parse(
             SearchFlight.SmallMission.Replace("\"heightMetres\": 30", "\"heightMetres\": 18")
-                .Replace("\"laneSpacingMetres\": 22", "\"laneSpacingMetres\": 14"),
+                .Replace("\"laneSpacingMetres\": 22", "\"laneSpacingMetres\": 14")
+                .Replace(
+                    "\"speedMetresPerSecond\": 5", FormattableString.Invariant($"\"speedMetresPerSecond\": {speed}")),
             "small");
         return new GroupFlight(
             plan,

@@ -60,7 +60,7 @@ public sealed class GroupRadioTests(ITestOutputHelper output)
         {
             RadioCounters radio = flight.Flight.Group.RadioOf(i);
             Assert.InRange(radio.LostAtRandom, 0.3 * radio.FramesSent, 2 * radio.FramesSent);
-            Assert.True(radio.LostByPartition > 20 && radio.LostInBursts > 20 && radio.Duplicated > 20, radio.ToString());
+            Assert.All([radio.LostByPartition, radio.LostInBursts, radio.Duplicated], n => Assert.InRange(n, 20, 10_000));
         }
     }
 

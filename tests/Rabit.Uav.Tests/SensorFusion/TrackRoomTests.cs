@@ -51,13 +51,38 @@ public sealed class TrackRoomTests
         Assert.All(rig.Tracks, t => Assert.Equal(TrackState.Lost, t.State));
         rig.Decide(rig.Tracks[0].Id, TargetDecision.Confirmed);
         rig.Observe(500, 0, Report(500, 0));
+        Wait(rig);
         rig.Observe(600, 0, Report(600, 0));
         Assert.Equal(2, rig.Tracks.Count(t => t.State != TrackState.Tentative));
+        Assert.Equal(600, PlaceOf(rig.Tracks[2]).North, 1);
+
+        // That one was reported just now: of the two that come next one takes the place of the lost one.
         rig.Observe(700, 0, Report(700, 0), Report(700, 10));
-        Assert.Equal(0, rig.Counters.ReportsWithoutRoom);
-        Assert.Equal(TargetDecision.Confirmed, rig.Tracks[0].Decision);
-        Assert.Equal(2, rig.Tracks.Count(t => t.State == TrackState.Tentative));
-        rig.Observe(800, 0, Report(800, 0), Report(800, 10), Report(800, 20));
         Assert.Equal(1, rig.Counters.ReportsWithoutRoom);
+        Assert.Equal(TargetDecision.Confirmed, rig.Tracks[0].Decision);
+        Assert.Equal([TrackState.Tentative, TrackState.Tentative], rig.Tracks.Skip(1).Select(t => t.State));
+    }
+
+    // One picture full of clutter is not to delete what was confirmed once.
+    [Fact]
+    public void Tracks_OnePictureFullOfClutter_DeletesOneLostTrackAtMost()
+    {
+        using var rig = new FusionRig(o => o.MaxTracks = 6);
+        for (int i = 0; i < 4; i++)
+            rig.Observe(0, 0, Report(0, -10), Report(0, 0), Report(0, 10));
+        for (int i = 0; i < 8; i++)
+            rig.Observe(0, 0);
+        Assert.Equal(3, rig.Tracks.Count(t => t.State == TrackState.Lost));
+        rig.Observe(500, 0, Enumerable.Range(0, 20).Select(i => Report(500, (6 * i) - 60)).ToArray());
+        Assert.Equal(2, rig.Tracks.Count(t => t.State == TrackState.Lost));
+        Assert.Equal(6, rig.Tracks.Count);
+        Assert.Equal(16, rig.Counters.ReportsWithoutRoom);
+    }
+
+    // So long that a track is not of now.
+    private static void Wait(FusionRig rig)
+    {
+        for (int i = 0; i < 8; i++)
+            rig.Observe(1000, 0);
     }
 }

@@ -10,10 +10,16 @@ namespace Rabit.Uav.MissionControl;
 /// </summary>
 internal sealed class AltitudeCorrection
 {
-    private const double MeanSeconds = 30;
+    private const double MeanSeconds = 15;
+
+    // One report stands for no more: after a gap the mean is not replaced by it.
+    private const double MaxStepSeconds = 1;
+
+    // The mean of fewer is not settled.
+    private const double MinSeconds = 10;
 
     // The receiver's altitude is late by some tenths of a second.
-    private const double MaxClimbMetresPerSecond = 0.5;
+    private const double MaxClimbMetresPerSecond = 0.3;
 
     private const double MaxSigmaMetres = 5;
 
@@ -22,11 +28,12 @@ internal sealed class AltitudeCorrection
 
     private static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(2);
 
-    private TimeSpan? _first;
     private TimeSpan? _last;
+    private double _seconds;   // of the reports that count
+    private double _mean;
 
-    /// <summary>Added to the autopilot's altitude; 0 while nothing is known.</summary>
-    public double Metres { get; private set; }
+    /// <summary>Added to the autopilot's altitude; null until ten seconds of reports are known.</summary>
+    public double? Metres => _seconds >= MinSeconds ? _mean : null;
 
     /// <summary>Takes what the receiver reported, where that is new and can be used.</summary>
     /// <param name="vehicle">Of the vehicle itself.</param>
@@ -41,13 +48,13 @@ internal sealed class AltitudeCorrection
             && Math.Abs(vehicle.VelocityNed.Down) <= MaxClimbMetresPerSecond;
         if (!isUsable)
             return;
-        _first ??= time;
-        double seconds = Math.Max(0, (time - (_last ?? time)).TotalSeconds);
-
-        // The mean of all at first, then of the last half minute.
-        double over = Math.Min(MeanSeconds, (time - _first.Value).TotalSeconds);
-        double weight = _last is null ? 1 : Math.Min(1, seconds / over);
-        Metres += weight * (metres - Metres);
+        double step = _last is { } last ? Math.Min(MaxStepSeconds, (time - last).TotalSeconds) : MaxStepSeconds;
         _last = time;
+        if (!(step > 0))
+            return;
+        _seconds += step;
+
+        // The mean of all at first, then of the last quarter of a minute.
+        _mean += step / Math.Min(MeanSeconds, _seconds) * (metres - _mean);
     }
 }

@@ -23,11 +23,15 @@ internal sealed class GroupDivision
     // Not oftener, where only the balance asks for it.
     private static readonly TimeSpan BalancePeriod = TimeSpan.FromSeconds(10);
 
+    // Nor oftener, where it is the energy: what a vehicle has left of its lanes is known when its lane is flown.
+    private static readonly TimeSpan EnergyPeriod = TimeSpan.FromSeconds(30);
+
     // A vehicle without lanes gets some where another one has more than this to fly.
     private const double MinBalanceSeconds = 45;
 
     private TimeSpan? _begun;
     private TimeSpan _made;
+    private TimeSpan? _askedForEnergy;
     private TimeSpan _sent;
 
     /// <summary>Its author; 0 where there is none yet.</summary>
@@ -87,7 +91,9 @@ internal sealed class GroupDivision
     /// <param name="ownSystemId">Our system id.</param>
     /// <param name="present">The others that are received.</param>
     /// <param name="metresLeft">What a vehicle had left of its lanes, by its last report.</param>
-    /// <param name="divide">Divides all lanes among vehicles.</param>
+    /// <param name="divide">
+    /// Divides all lanes among vehicles, and says whether the energy of each is enough for its own.
+    /// </param>
     /// <param name="mayBalance">
     /// Whether it is known what was flown; without a camera it is not, and lanes would be flown again.
     /// </param>
@@ -96,8 +102,8 @@ internal sealed class GroupDivision
     public bool Update(
         in GroupReport own, byte ownSystemId, IReadOnlyList<(byte SystemId, GroupReport Report)> present,
         Func<byte, double> metresLeft,
-        Func<IReadOnlyList<(byte SystemId, GroupReport Report)>, ImmutableArray<LaneShare>> divide, bool mayBalance,
-        TimeSpan now)
+        Func<IReadOnlyList<(byte SystemId, GroupReport Report)>, (ImmutableArray<LaneShare> Shares, bool IsEnough)> divide,
+        bool mayBalance, TimeSpan now)
     {
         _begun ??= now;
         if (ownSystemId != AuthorOf(own, ownSystemId, present) || now - _begun.Value < FirstAfter)
@@ -111,7 +117,9 @@ internal sealed class GroupDivision
         bool isTaken = Author == ownSystemId
             && !present.Any(m => m.Report.DivisionAuthor == ownSystemId && IsNewer(m.Report.DivisionNumber, Number));
         if (isNeeded || (mayBalance && IsUnbalanced(available, now)))
-            Set(ownSystemId, divide(available), isTaken, present, now);
+            Set(ownSystemId, divide(available).Shares, isTaken, present, now);
+        else if (mayBalance && IsShortOfEnergy(available, now) && divide(available) is { IsEnough: true } better)
+            Set(ownSystemId, better.Shares, isTaken, present, now);
         else if (!isTaken)
             Set(ownSystemId, Shares, isTaken, present, now);
         if (Author != ownSystemId || now - _sent < RepeatPeriod || present.Count == 0)
@@ -144,10 +152,20 @@ internal sealed class GroupDivision
     {
         if (now - _made < BalancePeriod)
             return false;
-        var current = available.Where(m => m.Report.DivisionNumber == Number).Select(m => m.Report).ToArray();
-        bool isIdle = current.Any(r => r.MetresLeft <= 0);
-        return (isIdle && available.Any(m => SecondsLeft(m.Report) > MinBalanceSeconds))
-            || (current.Any(r => SpareSeconds(r) < 0) && current.Any(r => SpareSeconds(r) > MinBalanceSeconds));
+        bool isIdle = available.Any(m => m.Report.MetresLeft <= 0 && m.Report.DivisionNumber == Number);
+        return isIdle && available.Any(m => SecondsLeft(m.Report) > MinBalanceSeconds);
+    }
+
+    // Also of a division that would not be better it is not asked for again and again.
+    private bool IsShortOfEnergy((byte SystemId, GroupReport Report)[] available, TimeSpan now)
+    {
+        if (now - _made < EnergyPeriod || now - _askedForEnergy < EnergyPeriod)
+            return false;
+        bool isShort = available.Any(m => SpareSeconds(m.Report) < 0)
+            && available.Any(m => SpareSeconds(m.Report) > MinBalanceSeconds);
+        if (isShort)
+            _askedForEnergy = now;
+        return isShort;
     }
 
     private static double SecondsLeft(in GroupReport report) => report.MetresLeft / report.SpeedMetresPerSecond;

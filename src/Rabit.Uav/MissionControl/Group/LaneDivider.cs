@@ -38,10 +38,21 @@ internal static class LaneDivider
     /// <param name="members">At least one.</param>
     public static ImmutableArray<LaneShare> Divide(
         IReadOnlyList<LaneSegment> lanes, IReadOnlyList<double> metresLeft, IReadOnlyList<Member> members)
+        => Divide(lanes, metresLeft, members, out _);
+
+    /// <summary>As the other; says also whether the energy of all is enough.</summary>
+    /// <param name="lanes">The lanes, in the order in which they lie.</param>
+    /// <param name="metresLeft">What is left of each.</param>
+    /// <param name="members">At least one.</param>
+    /// <param name="isEnough">Whether the energy of each is enough for its share; else it was not looked at.</param>
+    public static ImmutableArray<LaneShare> Divide(
+        IReadOnlyList<LaneSegment> lanes, IReadOnlyList<double> metresLeft, IReadOnlyList<Member> members,
+        out bool isEnough)
     {
         Member[] sorted = members.OrderBy(m => m.SystemId).ToArray();
-        int[] best = Best(lanes, metresLeft, sorted, out Member[] order, isLimited: true)
-            ?? Best(lanes, metresLeft, sorted, out order, isLimited: false)!;
+        int[]? limited = Best(lanes, metresLeft, sorted, out Member[] order, isLimited: true);
+        isEnough = limited is not null;
+        int[] best = limited ?? Best(lanes, metresLeft, sorted, out order, isLimited: false)!;
         return order
             .Select((m, i) => new LaneShare(m.SystemId, i == 0 ? 0 : best[i - 1], best[i] - (i == 0 ? 0 : best[i - 1])))
             .OrderBy(s => s.SystemId).ToImmutableArray();

@@ -10,22 +10,25 @@ internal sealed partial class MissionGroup
     // A barometer that drifts further, or a satellite receiver that is wrong, must not lead us to the ground.
     private const double MaxOffsetMetres = 5;
 
+    // No goal is lower by it.
+    private const double MinHeightMetres = 5;
+
     // Goals are not to change all the time.
     private const double OffsetStepMetres = 0.5;
 
     private readonly AltitudeCorrection _altitude = new();
-    private double? _correctionOnGround;
+    private double? _reference;   // the correction on the ground, or when it was first known in the air
 
     private GroupReport ReportOf(MissionFlight flight, MissionPhase phase)
     {
         GeodeticPosition landing = Raised(
-            flight.Plan?.Frame.Origin ?? flight.Vehicle.Position, _correctionOnGround ?? _altitude.Metres);
+            flight.Plan?.Frame.Origin ?? flight.Vehicle.Position, _reference ?? 0);
         EnergyStatus energy = flight.Energy.Status;
         return new GroupReport
         {
             LanesKey = KeyOf(flight.Mission),
             State = StateOf(flight, phase),
-            Position = Raised(flight.Vehicle.Position, _altitude.Metres),
+            Position = Raised(flight.Vehicle.Position, _altitude.Metres ?? 0),
             LandingPlace = landing,
             SearchAltitudeAmslMetres = landing.AltitudeAmslMetres + flight.Mission.HeightMetres,
             SpeedMetresPerSecond = flight.Mission.SpeedMetresPerSecond,
@@ -41,14 +44,22 @@ internal sealed partial class MissionGroup
     private void UpdateAltitude(MissionFlight flight)
     {
         _altitude.Update(flight.Vehicle, flight.Now);
-        if (!flight.IsFlying)
-            _correctionOnGround = _altitude.Metres;
-        double drift = _altitude.Metres - (_correctionOnGround ??= _altitude.Metres);
-        double room = (flight.Mission.MaxHeightMetres ?? MissionPlanRules.MaxHeightMetres)
-            - MissionPlanRules.HeightReserveMetres - flight.Mission.HeightMetres;
-        double offset = Math.Max(-MaxOffsetMetres, Math.Min(-drift, Math.Min(MaxOffsetMetres, Math.Max(0, room))));
-        if (Math.Abs(offset - flight.HeightOffsetMetres) >= OffsetStepMetres || !flight.IsFlying)
-            flight.HeightOffsetMetres = OffsetStepMetres * Math.Round(offset / OffsetStepMetres);
+        _reference = flight.IsFlying ? _reference ?? _altitude.Metres : _altitude.Metres;
+        double offset = LimitedOffset(flight, -(_altitude.Metres - _reference ?? 0));
+        if (Math.Abs(offset - flight.HeightOffsetMetres) >= OffsetStepMetres)
+            flight.HeightOffsetMetres = OffsetStepMetres * Math.Truncate(offset / OffsetStepMetres);
+    }
+
+    private static double LimitedOffset(MissionFlight flight, double metres)
+    {
+        MissionPlan mission = flight.Mission;
+        double revisit = mission.Revisit.HeightMetres ?? mission.HeightMetres;
+        double up = (mission.MaxHeightMetres ?? MissionPlanRules.MaxHeightMetres) - MissionPlanRules.HeightReserveMetres
+            - Math.Max(mission.HeightMetres, revisit);
+        double down = Math.Min(mission.HeightMetres, revisit) - MinHeightMetres;
+        return Math.Max(
+            -Math.Min(MaxOffsetMetres, Math.Max(0, down)),
+            Math.Min(Math.Min(MaxOffsetMetres, Math.Max(0, up)), metres));
     }
 
     private static GeodeticPosition Raised(GeodeticPosition position, double metres) => GeodeticPosition.FromRadians(

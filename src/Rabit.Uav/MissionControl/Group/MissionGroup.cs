@@ -323,12 +323,13 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         Shares = _division.Shares,
     };
 
-    private static ImmutableArray<LaneShare> Divide(
+    private static (ImmutableArray<LaneShare> Shares, bool IsEnough) Divide(
         MissionFlight flight, SharedLanes lanes, IReadOnlyList<(byte SystemId, GroupReport Report)> members)
     {
         double seen = SeenToEachSide(flight) / flight.Mission.HeightMetres;
-        return LaneDivider.Divide(
-            lanes.Lanes, lanes.MetresLeft, members.Select(m => MemberOf(flight, m, seen)).ToArray());
+        ImmutableArray<LaneShare> shares = LaneDivider.Divide(
+            lanes.Lanes, lanes.MetresLeft, members.Select(m => MemberOf(flight, m, seen)).ToArray(), out bool isEnough);
+        return (shares, isEnough);
     }
 
     // The others have cameras as ours: what they see differs by their heights.

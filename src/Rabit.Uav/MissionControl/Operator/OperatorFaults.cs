@@ -45,7 +45,8 @@ internal static class OperatorFaults
 
     private static bool IsLow(MissionFlight flight)
         => flight.HeightMetres
-            < flight.Plan!.HeightAboveHome(flight.Position, flight.Mission.HeightMetres) - LowMetres;
+            < flight.Plan!.HeightAboveHome(flight.Position, flight.Mission.HeightMetres) + flight.HeightOffsetMetres
+                - LowMetres;
 
     private static string? FindRevisitFault(MissionFlight flight, MissionPhase phase, OperatorRequest request)
     {

@@ -88,7 +88,7 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
     }
 
     private static double HeightHere(MissionFlight flight)
-        => flight.Plan!.HeightAboveHome(flight.Position, flight.Mission.HeightMetres);
+        => flight.Plan!.HeightAboveHome(flight.Position, flight.Mission.HeightMetres) + flight.HeightOffsetMetres;
 
     private void PointCamera(MissionFlight flight)
     {

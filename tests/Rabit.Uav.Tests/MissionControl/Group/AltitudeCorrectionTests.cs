@@ -13,14 +13,25 @@ public sealed class AltitudeCorrectionTests
     private double _seconds;
 
     [Fact]
-    public void Metres_NothingReported_IsZero() => Assert.Equal(0, _correction.Metres);
+    public void Metres_NothingReported_IsNotKnown() => Assert.Null(_correction.Metres);
+
+    [Fact]
+    public void Metres_FewReports_IsNotKnown()
+    {
+        for (int i = 0; i < 18; i++)
+            Take(2);
+        Assert.Null(_correction.Metres);
+        for (int i = 0; i < 3; i++)
+            Take(2);
+        Assert.Equal(2, _correction.Metres!.Value, 1e-9);
+    }
 
     [Fact]
     public void Update_NoisyReceiver_IsTheMean()
     {
-        for (int i = 0; i < 20; i++)
+        for (int i = 0; i < 60; i++)
             Take(3 + (i % 2 == 0 ? 1 : -1));
-        Assert.Equal(3, _correction.Metres, 0.2);
+        Assert.Equal(3, _correction.Metres!.Value, 0.2);
     }
 
     [Fact]
@@ -30,7 +41,7 @@ public sealed class AltitudeCorrectionTests
             Take(0);
         for (int i = 0; i < 120; i++)
             Take(4);
-        Assert.InRange(_correction.Metres, 3.3, 4);
+        Assert.InRange(_correction.Metres!.Value, 3.3, 4);
     }
 
     [Theory]
@@ -64,19 +75,41 @@ public sealed class AltitudeCorrectionTests
             _correction.Update(state, TimeSpan.FromSeconds(_seconds));
         }
 
-        Assert.Equal(2, _correction.Metres, 1e-9);
+        Assert.Equal(2, _correction.Metres!.Value, 1e-9);
+    }
+
+    // A climb, or a time without a fix.
+    [Fact]
+    public void Update_FirstReportAfterAGap_CountsAsOne()
+    {
+        for (int i = 0; i < 60; i++)
+            Take(2);
+        _seconds += 40;
+        Take(5);
+        Assert.InRange(_correction.Metres!.Value, 2.1, 2.21);
+    }
+
+    [Fact]
+    public void Update_TimeGoesBack_ChangesNothing()
+    {
+        for (int i = 0; i < 60; i++)
+            Take(2);
+        _seconds -= 20;
+        Take(5);
+        Assert.Equal(2, _correction.Metres!.Value, 1e-9);
     }
 
     [Fact]
     public void Update_SameReportAgain_CountsOnce()
     {
-        Take(0);
-        Take(2);
-        double after = _correction.Metres;
+        for (int i = 0; i < 30; i++)
+            Take(i % 2 == 0 ? 0 : 2);
+        double? after = _correction.Metres;
         VehicleState state = State(2);
         state.GpsTime = TimeSpan.FromSeconds(_seconds);
         for (int i = 0; i < 10; i++)
             _correction.Update(state, TimeSpan.FromSeconds(_seconds + 0.1));
+        Assert.NotNull(after);
         Assert.Equal(after, _correction.Metres);
     }
 

@@ -13,6 +13,9 @@ public sealed class GroupDivisionTests
 {
     private const int Lanes = 12;
 
+    private bool _isEnough = true;
+    private bool _isHalved;
+    private int _divided;
     private readonly GroupDivision _division = new();
     private readonly Dictionary<byte, GroupReport> _others = [];
     private TimeSpan _now = TimeSpan.FromSeconds(100);
@@ -123,6 +126,26 @@ public sealed class GroupDivisionTests
         Assert.Equal(number, _division.Number);
     }
 
+    // 1000 m at 6 m/s: 167 s. It is asked for once in half a minute, and taken only where it is better.
+    [Theory]
+    [InlineData(100, 400, true, true)]
+    [InlineData(100, 400, false, false)]
+    [InlineData(100, 200, true, false)]
+    [InlineData(200, 400, true, false)]
+    public void Update_EnergyOfOneIsTooLittle_DividesAgainWhereThatHelps(
+        double secondsOfOne, double secondsOfOther, bool isEnough, bool isDivided)
+    {
+        (_isEnough, _own.SearchTime) = (isEnough, TimeSpan.FromSeconds(secondsOfOther));
+        _others[6] = Report() with { SearchTime = TimeSpan.FromSeconds(secondsOfOther) };
+        Update(seconds: 40);
+        (ushort number, int divided) = (_division.Number, _divided);
+        _isHalved = true;
+        _others[6] = _others[6] with { SearchTime = TimeSpan.FromSeconds(secondsOfOne) };
+        Update(seconds: 25);
+        Assert.Equal(isDivided, _division.Number != number);
+        Assert.InRange(_divided - divided, 0, 1);
+    }
+
     [Fact]
     public void Update_AfterARestart_TakesANumberThatTheOthersFollow()
     {
@@ -185,9 +208,14 @@ public sealed class GroupDivisionTests
         return sent;
     }
 
-    private static ImmutableArray<LaneShare> Equally(IReadOnlyList<(byte SystemId, GroupReport Report)> members)
-        => members.Select((m, i) => new LaneShare(m.SystemId, i * Lanes / members.Count, Lanes / members.Count))
+    private (ImmutableArray<LaneShare> Shares, bool IsEnough) Equally(
+        IReadOnlyList<(byte SystemId, GroupReport Report)> members)
+    {
+        _divided++;
+        var shares = members.Select((m, i) => new LaneShare(m.SystemId, i * Lanes / members.Count, Lanes / members.Count))
             .ToImmutableArray();
+        return (_isHalved ? [.. shares.Select(s => s with { Count = s.Count / 2 })] : shares, _isEnough);
+    }
 
     private static GroupReport Report()
         => new() { State = GroupMemberState.Available, SpeedMetresPerSecond = 6, MetresLeft = 1000 };

@@ -185,6 +185,23 @@ public sealed class GroupSearchTests
         Assert.Equal(MissionPhase.Searching, weak.Status.Phase);
         Assert.InRange(rig.ShareOf(1).Count, 1, lanes - 1);
         Assert.True(rig.RunUntil(() => rig.ShareOf(0).Count + rig.ShareOf(1).Count == 10, 1), rig.Story);
+
+        // It has flown what it kept, and none of it went to and fro.
+        from = rig.Seconds;
+        double battery = weak.Vehicle.Battery;
+        (int changes, int share) = (0, rig.ShareOf(1).Count);
+        bool isReturning = rig.RunUntil(
+            () =>
+            {
+                weak.Vehicle.Battery = Math.Max(0.05, battery - ((rig.Seconds - from) * 0.002));
+                (changes, share) = (changes + (rig.ShareOf(1).Count == share ? 0 : 1), rig.ShareOf(1).Count);
+                return weak.Status.Phase == MissionPhase.Returning;
+            },
+            600);
+        Assert.True(isReturning, rig.Story);
+        Assert.InRange(changes, 0, 3);
+        Assert.True(rig.RunUntil(() => rig.Rigs[0].Status.Phase == MissionPhase.Done, 900), rig.Story);
+        Assert.InRange(rig.Rigs[0].Status.Coverage, 0.98, 1);
     }
 
     // Two seconds later all are ready to arm.

@@ -174,7 +174,11 @@ internal sealed class SeparationFlight : IDisposable
             return;
         for (int i = 0; i < Vehicles; i++)
         {
-            double metres = _driftMetres * Math.Min(1, _rig.Seconds / 300) * (i == Vehicles - 1 ? -1 : 1 - (0.5 * i));
+            // Heights count from where a vehicle was switched on.
+            bool isLast = i == Vehicles - 1;
+            double since = isLast && _happening == Happening.ComesLate ? _when : 0;
+            double part = Math.Min(1, Math.Max(0, _rig.Seconds - since) / 300);
+            double metres = _driftMetres * part * (isLast ? -1 : 1 - (0.5 * i));
             (_heightErrors[i], _rig.Rigs[i].Vehicle.GnssAboveMetres) = (metres, _hasGnss ? metres : null);
         }
     }
