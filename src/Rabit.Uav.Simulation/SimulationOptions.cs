@@ -66,9 +66,9 @@ public sealed class SimulationOptions
     public double? ClockDriftPpm { get; set; }
 
     /// <summary>
-    /// How far the autopilot's altitude, by which the vehicle is steered, drifts from the true one, and from that of its
-    /// satellite receiver: a barometer follows the weather and warms up. Standard deviation in the long run, metres, with
-    /// ten minutes of correlation; it begins at zero. 0 to 20.
+    /// How far the autopilot's altitude, by which the vehicle is steered, drifts from the true one, and from that of
+    /// its satellite receiver: a barometer follows the weather and warms up. Standard deviation in the long run,
+    /// metres, with ten minutes of correlation; it begins at zero. 0 to 20.
     /// </summary>
     /// <value>The default is 0: what the error of the position has on each axis is all.</value>
     public double BarometerDriftMetres { get; set; }

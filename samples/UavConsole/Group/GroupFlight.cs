@@ -4,7 +4,6 @@ using System.Linq;
 using Rabit.Core;
 using Rabit.Links;
 using Rabit.Uav;
-using Rabit.Uav.Communications;
 using Rabit.Uav.GroundControl;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
@@ -140,7 +139,6 @@ internal sealed class GroupFlight : IDisposable
                     [0] = SimulatedGroupVehicle.TelemetrySettings,
                     [1] = simulated.RadioSettings,
                 },
-                SendBudgets = new Dictionary<int, SendBudget> { [1] = simulated.RadioBudget },
             },
             MissionControl =
             {

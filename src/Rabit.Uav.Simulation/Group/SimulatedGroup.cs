@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core;
 using Rabit.Geodesy;
-using Rabit.Uav.Communications;
 
 namespace Rabit.Uav.Simulation;
 
@@ -31,7 +30,6 @@ namespace Rabit.Uav.Simulation;
 ///                 [0] = SimulatedGroupVehicle.TelemetrySettings,
 ///                 [1] = vehicle.RadioSettings,
 ///             },
-///             SendBudgets = new Dictionary&lt;int, SendBudget&gt; { [1] = vehicle.RadioBudget },
 ///         },
 ///     });
 ///     group.Attach(i, uav.CreateReactor(new ReactorOptions { StopsOnSignals = false }));
@@ -65,9 +63,6 @@ public sealed class SimulatedGroup
         _faults = options.Faults.OrderBy(f => f.At).ToArray();
         _radio = new SimulatedRadio(options.Radio.Copy(), options.World.Seed);
         var world = new SimulatedWorld(options.World);
-        int share = Math.Max(
-            SendBudget.MinBytesPerSecond,
-            options.Radio.BytesPerSecond / (options.Vehicles + options.GroundStations.Count));
         var vehicles = new List<SimulatedGroupVehicle>();
         for (int i = 0; i < options.Vehicles; i++)
         {
@@ -77,7 +72,7 @@ public sealed class SimulatedGroup
             SimulatedWorld own = world.With(OptionsOf(options, i, world), on);
             vehicles.Add(new SimulatedGroupVehicle(
                 own, new VirtualTime(own.Options.Seed, new DateTimeOffset(2000, 1, 1, 0, 0, 0, TimeSpan.Zero) + on),
-                _radio.Add(() => Vehicles![number].Place), share, on)
+                _radio.Add(() => Vehicles![number].Place), on)
             {
                 Start = StartOf(i),
             });

@@ -4,20 +4,15 @@ using Rabit.Core;
 using Rabit.Geodesy;
 using Rabit.Links;
 using Rabit.Mavlink.Messages;
-using Rabit.Uav.Communications;
 
 namespace Rabit.Uav.Simulation;
 
 /// <summary>One vehicle of a simulated group: what its companion computer is composed of.</summary>
 public sealed class SimulatedGroupVehicle
 {
-    private readonly int _radioBytesPerSecond;
-
-    internal SimulatedGroupVehicle(
-        SimulatedWorld world, VirtualTime time, IByteLink radio, int radioBytesPerSecond, TimeSpan switchedOnAt)
+    internal SimulatedGroupVehicle(SimulatedWorld world, VirtualTime time, IByteLink radio, TimeSpan switchedOnAt)
     {
         (World, Time, Radio, SwitchedOnAt) = (world, time, radio, switchedOnAt);
-        _radioBytesPerSecond = radioBytesPerSecond;
     }
 
     /// <summary>The world with this vehicle: its camera, its telemetry, its truth.</summary>
@@ -30,7 +25,7 @@ public sealed class SimulatedGroupVehicle
     public IByteLink Radio { get; }
 
     /// <summary>
-    /// What goes over that link, for <see cref="CommunicationsOptions.LinkSettings"/>: our own
+    /// What goes over that link, for <see cref="Communications.CommunicationsOptions.LinkSettings"/>: our own
     /// heartbeat, position, vehicle messages and answers to commands. The telemetry of the autopilot would fill it.
     /// </summary>
     public LinkSettings RadioSettings => new()
@@ -43,12 +38,6 @@ public sealed class SimulatedGroupVehicle
             ],
             [(SystemId, (byte)MavComponent.OnboardComputer)]),
     };
-
-    /// <summary>
-    /// How much it may send over that link, for <see cref="CommunicationsOptions.SendBudgets"/>: an
-    /// equal part of what the radio carries (<see cref="SimulatedRadioOptions.BytesPerSecond"/>).
-    /// </summary>
-    public SendBudget RadioBudget => new() { BytesPerSecond = _radioBytesPerSecond };
 
     /// <summary>
     /// What does not go over the link of a vehicle to its autopilot: what ground stations send by radio. An autopilot

@@ -52,7 +52,9 @@ internal sealed class NavigationErrors
     public NedVector SteadyPosition
         => _positionConstant.Plus(Of(_walk)).Plus(new NedVector(0, 0, BarometerDown));
 
-    /// <summary>Of that what the barometer has drifted by, metres down; the satellite receiver is not wrong by it.</summary>
+    /// <summary>
+    /// Of that what the barometer has drifted by, metres down; the satellite receiver is not wrong by it.
+    /// </summary>
     public double BarometerDown => _barometer.Value;
 
     /// <summary>The whole error of the reported position, metres.</summary>

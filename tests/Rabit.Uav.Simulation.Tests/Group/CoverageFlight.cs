@@ -102,6 +102,10 @@ internal sealed class CoverageFlight : IDisposable
     /// <summary>How many of the targets are confirmed tracks of each vehicle, at the least.</summary>
     public int Found => Scores().Min(s => s.Found);
 
+    /// <summary>How many of the targets are confirmed tracks of at least one vehicle.</summary>
+    public int FoundByAny
+        => Scores().SelectMany(s => s.Targets.Where(t => t.IsFound)).Select(t => t.Name).Distinct().Count();
+
     /// <summary>How many confirmed tracks are no target, of the vehicle with the most.</summary>
     public int FalseTracks => Scores().Max(s => s.FalseTracks.Count);
 

@@ -5,7 +5,6 @@ using System.Linq;
 using System.Text;
 using Rabit.Core;
 using Rabit.Links;
-using Rabit.Uav.Communications;
 using Rabit.Uav.GroundControl;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
@@ -116,7 +115,6 @@ internal sealed class GroupFlight : IDisposable
                     [0] = SimulatedGroupVehicle.TelemetrySettings,
                     [1] = vehicle.RadioSettings,
                 },
-                SendBudgets = new Dictionary<int, SendBudget> { [1] = vehicle.RadioBudget },
             },
         });
         _systems.Add(uav);

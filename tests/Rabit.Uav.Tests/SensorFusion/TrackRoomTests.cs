@@ -65,7 +65,7 @@ public sealed class TrackRoomTests
 
     // One picture full of clutter is not to delete what was confirmed once.
     [Fact]
-    public void Tracks_OnePictureFullOfClutter_DeletesOneLostTrackAtMost()
+    public void Tracks_OnePictureFullOfClutter_DeletesNoMoreThanOneLostTrack()
     {
         using var rig = new FusionRig(o => o.MaxTracks = 6);
         for (int i = 0; i < 4; i++)

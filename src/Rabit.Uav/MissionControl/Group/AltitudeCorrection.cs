@@ -4,9 +4,10 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// How much higher a vehicle is by its satellite receiver than by its autopilot. The altitude of the autopilot goes by a
-/// barometer that drifts by metres during a flight, that of each vehicle in its own way; the receivers of vehicles near
-/// each other err alike. So what vehicles compare is their autopilots' altitude, corrected by the mean of this. One thread.
+/// How much higher a vehicle is by its satellite receiver than by its autopilot. The altitude of the autopilot goes by
+/// a barometer that drifts by metres during a flight, that of each vehicle in its own way; the receivers of vehicles
+/// near each other err alike. So what vehicles compare is their autopilots' altitude, corrected by the mean of this.
+/// One thread.
 /// </summary>
 internal sealed class AltitudeCorrection
 {

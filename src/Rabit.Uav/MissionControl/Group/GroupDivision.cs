@@ -102,7 +102,8 @@ internal sealed class GroupDivision
     public bool Update(
         in GroupReport own, byte ownSystemId, IReadOnlyList<(byte SystemId, GroupReport Report)> present,
         Func<byte, double> metresLeft,
-        Func<IReadOnlyList<(byte SystemId, GroupReport Report)>, (ImmutableArray<LaneShare> Shares, bool IsEnough)> divide,
+        Func<IReadOnlyList<(byte SystemId, GroupReport Report)>,
+            (ImmutableArray<LaneShare> Shares, bool IsEnough)> divide,
         bool mayBalance, TimeSpan now)
     {
         _begun ??= now;

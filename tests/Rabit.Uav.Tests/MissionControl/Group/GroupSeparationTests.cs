@@ -93,7 +93,8 @@ public sealed class GroupSeparationTests(ITestOutputHelper output)
         (double least, int passes, int validated, int followed) = (double.PositiveInfinity, 0, 0, 0);
         for (int seed = first; seed < first + flights; seed++)
         {
-            using var flight = new SeparationFlight(seed, sinks: sinks, losesRadio: losesRadio, driftMetres: driftMetres);
+            using var flight = new SeparationFlight(
+                seed, sinks: sinks, losesRadio: losesRadio, driftMetres: driftMetres);
             flight.Fly();
             (least, passes) = (Math.Min(least, flight.MinHeightMetres), passes + flight.Passes);
             (validated, followed) = (validated + flight.Validations, followed + flight.Followed);

@@ -19,7 +19,7 @@ public sealed class HeightOffsetTests
     [InlineData(-3, 43)]
     [InlineData(12, 35)]
     [InlineData(-12, 45)]
-    public void Goals_BarometerDrifts_FollowItByFiveMetresAtMost(double above, double expected)
+    public void Goals_BarometerDrifts_FollowItByUpToFiveMetres(double above, double expected)
     {
         using GroupRig rig = Open();
         Drift(rig, above);

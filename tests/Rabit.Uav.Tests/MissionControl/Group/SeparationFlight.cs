@@ -10,8 +10,8 @@ namespace Rabit.Uav.Tests.MissionControl.Group;
 /// <summary>
 /// Three vehicles that search, validate and follow in a world that its seed makes: loss of up to 40 %, one partition,
 /// and one thing that happens to one of them. What they detect is off by a metre and missing in one picture of ten;
-/// each height is wrong by up to 2 m. (By pictures of the simulated camera tracks are 0.6 to 2.6 m off.) Notes each time
-/// two were too near to each other.
+/// each height is wrong by up to 2 m. (By pictures of the simulated camera tracks are 0.6 to 2.6 m off.) Notes each
+/// time two were too near to each other.
 /// </summary>
 internal sealed class SeparationFlight : IDisposable
 {
