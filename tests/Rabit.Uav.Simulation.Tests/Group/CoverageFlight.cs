@@ -80,7 +80,10 @@ internal sealed class CoverageFlight : IDisposable
             plan,
             new SimulatedGroupOptions
             {
-                Vehicles = vehicles, World = world, Radio = radio ?? new SimulatedRadioOptions(), Faults = faults,
+                Vehicles = vehicles,
+                World = world,
+                Radio = radio ?? new SimulatedRadioOptions(),
+                Faults = faults,
             },
             layerSpacingMetres: 19, wire: Wire, isGroup: vehicles > 1);
     }

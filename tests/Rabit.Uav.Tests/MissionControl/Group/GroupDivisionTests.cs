@@ -212,8 +212,8 @@ public sealed class GroupDivisionTests
         IReadOnlyList<(byte SystemId, GroupReport Report)> members)
     {
         _divided++;
-        var shares = members.Select((m, i) => new LaneShare(m.SystemId, i * Lanes / members.Count, Lanes / members.Count))
-            .ToImmutableArray();
+        int count = Lanes / members.Count;
+        var shares = members.Select((m, i) => new LaneShare(m.SystemId, i * count, count)).ToImmutableArray();
         return (_isHalved ? [.. shares.Select(s => s with { Count = s.Count / 2 })] : shares, _isEnough);
     }
 
