@@ -50,7 +50,8 @@ public sealed class GroupRadioTests(ITestOutputHelper output)
             + FormattableString.Invariant($"bytes, {watch.Awards.Count} awards, two validators for ")
             + FormattableString.Invariant($"at most {watch.MaxSeconds:0.0} s"));
         Assert.True(
-            (flight.FoundByAny, flight.Confirmed, flight.FalseTracks) == (10, 10, 0), flight.Timeline() + flight.Flight.Log);
+            (flight.FoundByAny, flight.Confirmed, flight.FalseTracks) == (10, 10, 0),
+            flight.Timeline() + flight.Flight.Log);
         Assert.True(flight.Fraction >= 0.98, flight.Timeline());
         Assert.True(watch.Faults.Count == 0, string.Join(Environment.NewLine, watch.Faults));
         Assert.True(watch.Awards.Count >= 5, flight.Timeline());
