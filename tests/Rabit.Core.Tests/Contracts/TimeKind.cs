@@ -60,7 +60,18 @@ public abstract class TimeKind
             bool goesOn = reactor.RunFor(TimeSpan.Zero);
             for (int step = 0; goesOn && step < MaxSteps && !condition(); step++)
                 goesOn = reactor.RunFor(Step);
-            return condition();
+
+            // What follows from a task that the run completes, a thread of the pool does when it has a processor; it may
+            // need the time to go on then.
+            var timeout = new TestTimeout();
+            while (!condition())
+            {
+                if (!timeout.TryWait())
+                    return false;
+                goesOn = goesOn && reactor.RunFor(Step);
+            }
+
+            return true;
         }
 
         public override string ToString() => "virtual time";
