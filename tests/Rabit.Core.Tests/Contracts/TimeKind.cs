@@ -61,8 +61,8 @@ public abstract class TimeKind
             for (int step = 0; goesOn && step < MaxSteps && !condition(); step++)
                 goesOn = reactor.RunFor(Step);
 
-            // What follows from a task that the run completes, a thread of the pool does when it has a processor; it may
-            // need the time to go on then.
+            // What follows from a task that the run completes, a thread of the pool does when it has a processor; it
+            // may need the time to go on then.
             var timeout = new TestTimeout();
             while (!condition())
             {
