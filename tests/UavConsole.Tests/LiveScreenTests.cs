@@ -7,7 +7,7 @@ using Rabit.Links;
 using Rabit.Uav;
 using Rabit.Uav.Reporting;
 using Rabit.Uav.Tests.Communications;
-using Spectre.Console;
+using UavConsole.Tests.Screen;
 using Xunit;
 
 namespace UavConsole.Tests;
@@ -79,19 +79,5 @@ public sealed class LiveScreenTests : IDisposable
     private static byte[] Text(string text)
         => Frames.Of(new Statustext { Severity = MavSeverity.Alert, Text = new Text50(text) });
 
-    private static string Draw(LiveScreen screen)
-    {
-        var output = new StringWriter();
-        IAnsiConsole console = AnsiConsole.Create(new AnsiConsoleSettings
-        {
-            Ansi = AnsiSupport.No,
-            ColorSystem = ColorSystemSupport.NoColors,
-            Interactive = InteractionSupport.No,
-            Out = new AnsiConsoleOutput(output),
-        });
-        console.Profile.Width = 80;
-        console.Profile.Height = 50;
-        console.Write(screen.Draw());
-        return output.ToString();
-    }
+    private static string Draw(LiveScreen screen) => PlainConsole.Draw(screen.Draw(), width: 80, height: 50);
 }

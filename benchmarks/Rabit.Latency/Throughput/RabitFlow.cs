@@ -20,7 +20,7 @@ internal sealed class RabitFlow<T> : IDisposable
         _workers = new FlatOutManager<Flow>[senders + 1];
         _workers[0] = new Receiver(capacity, pins ? Cpus.Other : null);
         for (int i = 1; i <= senders; i++)
-            _workers[i] = new Sender($"sender {i}", pins ? Cpus.One : null);
+            _workers[i] = new FlowSender<T>($"sender {i}", pins ? Cpus.One : null);
         foreach (FlatOutManager<Flow> worker in _workers)
             _reactor.Add(worker);
         _reactor.Start();
@@ -47,23 +47,6 @@ internal sealed class RabitFlow<T> : IDisposable
         return flow.MillionPerSecond;
     }
 
-    private sealed class Sender : FlatOutManager<Flow>
-    {
-        private readonly QueueSender<T> _queue;
-
-        public Sender(string name, int? cpu)
-            : base(name, cpu) => _queue = Send<T>("queue");
-
-        protected override void Work(Flow flow)
-        {
-            var end = new PushEnd(_queue);
-            if (flow.InBatches)
-                flow.SendBatches<PushEnd, T>(ref end);
-            else
-                flow.Send<PushEnd, T>(ref end, default);
-        }
-    }
-
     private sealed class Receiver : FlatOutManager<Flow>
     {
         private readonly QueueReceiver<T> _queue;
@@ -79,13 +62,6 @@ internal sealed class RabitFlow<T> : IDisposable
             else
                 flow.Receive<PopEnd, T>(ref end);
         }
-    }
-
-    private readonly struct PushEnd(QueueSender<T> queue) : IPush<T>, IPushBatch<T>
-    {
-        public bool TryPush(in T value) => queue.Push(value) != PushResult.Rejected;
-
-        public int PushFrom(ReadOnlySpan<T> values) => queue.PushFrom(values);
     }
 
     private readonly struct PopEnd(QueueReceiver<T> queue) : IPop<T>, IPopBatch<T>

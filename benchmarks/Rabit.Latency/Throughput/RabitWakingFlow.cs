@@ -15,17 +15,17 @@ internal sealed class RabitWakingFlow<T> : IDisposable
 {
     private readonly RabitReactor _reactor = RabitRun.Create(WaitEngine.Best);
     private readonly Receiver _receiver;
-    private readonly FlatOutManager<Flow>[] _senders;
+    private readonly FlowSender<T>[] _senders;
 
     public RabitWakingFlow(int senders, int capacity)
     {
         bool pins = senders == 1;
         _receiver = new Receiver(capacity, pins ? Cpus.Other : null);
         _reactor.Add(_receiver);
-        _senders = new FlatOutManager<Flow>[senders];
+        _senders = new FlowSender<T>[senders];
         for (int i = 0; i < senders; i++)
         {
-            _senders[i] = new Sender($"sender {i + 1}", pins ? Cpus.One : null);
+            _senders[i] = new FlowSender<T>($"sender {i + 1}", pins ? Cpus.One : null);
             _reactor.Add(_senders[i]);
         }
 
@@ -36,9 +36,9 @@ internal sealed class RabitWakingFlow<T> : IDisposable
     {
         var flow = new Flow(_senders.Length, messages, startsReceiver: false);
         _receiver.Begin(flow);
-        foreach (FlatOutManager<Flow> sender in _senders)
+        foreach (FlowSender<T> sender in _senders)
             sender.Begin(flow);
-        foreach (FlatOutManager<Flow> sender in _senders)
+        foreach (FlowSender<T> sender in _senders)
             sender.WaitForEnd();
         _receiver.WaitForEnd();
         return flow.MillionPerSecond;
@@ -48,22 +48,8 @@ internal sealed class RabitWakingFlow<T> : IDisposable
     {
         RabitRun.End(_reactor);
         _receiver.Dispose();
-        foreach (FlatOutManager<Flow> sender in _senders)
+        foreach (FlowSender<T> sender in _senders)
             sender.Dispose();
-    }
-
-    private sealed class Sender : FlatOutManager<Flow>
-    {
-        private readonly QueueSender<T> _queue;
-
-        public Sender(string name, int? cpu)
-            : base(name, cpu) => _queue = Send<T>("queue");
-
-        protected override void Work(Flow flow)
-        {
-            var end = new PushEnd(_queue);
-            flow.Send<PushEnd, T>(ref end, default);
-        }
     }
 
     private sealed class Receiver : RabitManager, IDisposable
@@ -112,10 +98,5 @@ internal sealed class RabitWakingFlow<T> : IDisposable
             Volatile.Write(ref _flow, null);
             _ended.Set();
         }
-    }
-
-    private readonly struct PushEnd(QueueSender<T> queue) : IPush<T>
-    {
-        public bool TryPush(in T value) => queue.Push(value) != PushResult.Rejected;
     }
 }

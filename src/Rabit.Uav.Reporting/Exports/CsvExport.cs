@@ -46,7 +46,7 @@ internal sealed class CsvExport
         {
             Begin("truth", truth.Position);
             Set("class", TargetClassNames.Name(truth.Class));
-            Set("state", truth.IsFound ? "found" : truth.IsRejected ? "rejected" : "missed");
+            Set("state", FlightText.ResultOf(truth));
             End();
         }
 

@@ -113,7 +113,7 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
 
     private void WriteMissed(TargetScore target)
     {
-        page.OpenTargetCard("missed", target.Name, target.Class, target.IsRejected ? "rejected" : "missed");
+        page.OpenTargetCard("missed", target.Name, target.Class, FlightText.ResultOf(target));
         page.Element(
             "p",
             target.IsRejected

@@ -80,7 +80,7 @@ internal sealed class MapParts(PageWriter page, MapFrame frame)
     private void WriteTruth(TargetScore target)
     {
         (double x, double y) = frame.ToMap(target.Position);
-        string result = target.IsFound ? "found" : target.IsRejected ? "rejected" : "missed";
+        string result = FlightText.ResultOf(target);
         page.Open("g", "class", target.IsFound ? "truth" : "truth missed");
         page.Element("title", $"{target.Name}: {TargetClassNames.Name(target.Class)}, {result}");
         if (!target.IsFound)

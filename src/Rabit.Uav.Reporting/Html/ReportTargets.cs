@@ -38,7 +38,7 @@ internal sealed class ReportTargets(PageWriter page, FlightSummary data)
 
     private void WriteMissed(TargetScore target)
     {
-        page.OpenTargetCard("missed", target.Name, target.Class, target.IsRejected ? "rejected" : "missed");
+        page.OpenTargetCard("missed", target.Name, target.Class, FlightText.ResultOf(target));
         page.Element(
             "p",
             target.IsRejected

@@ -92,6 +92,11 @@ public static class FlightText
         };
     }
 
+    /// <summary>What became of a target, in a word: "found", "rejected" by the operator, or "missed".</summary>
+    /// <param name="target">The target.</param>
+    internal static string ResultOf(TargetScore target)
+        => target.IsFound ? "found" : target.IsRejected ? "rejected" : "missed";
+
     /// <summary>What became of a target that was not found: "was not found".</summary>
     /// <param name="missed">The target.</param>
     /// <exception cref="ArgumentNullException">It is null.</exception>

@@ -18,6 +18,9 @@ internal static class MissionPlanRules
     /// <summary>What drones may fly without a permission, in most countries.</summary>
     public const double MaxHeightMetres = 120;
 
+    /// <summary>The least height of a mission, metres.</summary>
+    public const double MinHeightMetres = 5;
+
     private const double MinAreaSquareMetres = 100;
     private const double MinKeepOutSquareMetres = 1;
     private const int MaxCorners = 50;
@@ -67,14 +70,15 @@ internal static class MissionPlanRules
 
     private static IEnumerable<(string Path, double Value, double Min, double Max)> Ranges(MissionPlan plan)
     {
-        yield return ("heightMetres", plan.HeightMetres, 5, MaxHeightMetres);
+        yield return ("heightMetres", plan.HeightMetres, MinHeightMetres, MaxHeightMetres);
         yield return ("speedMetresPerSecond", plan.SpeedMetresPerSecond, MinSpeed, MaxSpeed);
         yield return ("laneSpacingMetres", plan.LaneSpacingMetres, 2, 200);
         yield return ("laneHeadingDegrees", ToDegrees(plan.LaneHeading ?? Angle.Zero), -360, 360);
         yield return ("fenceMarginMetres", plan.FenceMarginMetres, 0, 500);
         yield return ("requiredCoverage", plan.RequiredCoverage, 0, 1);
         yield return ("obstacleHeightMetres", plan.ObstacleHeightMetres ?? 0, 0, 500);
-        yield return ("revisit.heightMetres", plan.Revisit.HeightMetres ?? 5, 5, MaxHeightMetres);
+        yield return ("revisit.heightMetres", plan.Revisit.HeightMetres ?? MinHeightMetres, MinHeightMetres,
+            MaxHeightMetres);
         yield return ("revisit.radiusMetres", plan.Revisit.RadiusMetres, 0, 100);
         yield return ("revisit.maxWayFraction", plan.Revisit.MaxWayFraction, 0, 10);
         yield return ("revisit.followSeconds", plan.Revisit.FollowTime.TotalSeconds, 0, 3600);
@@ -86,7 +90,7 @@ internal static class MissionPlanRules
         yield return ("limits.minBatteryFractionAtStart", plan.MinBatteryFractionAtStart, 0, 1);
         yield return ("limits.energyReserveFraction", plan.EnergyReserveFraction, 0.05, 0.5);
         yield return (
-            "limits.maxHeightMetres", plan.MaxHeightMetres ?? MaxHeightMetres, 5 + HeightReserveMetres,
+            "limits.maxHeightMetres", plan.MaxHeightMetres ?? MaxHeightMetres, MinHeightMetres + HeightReserveMetres,
             MaxHeightMetres);
         yield return ("limits.maxDistanceMetres", plan.MaxDistanceMetres ?? 5000, 20, 5000);
         double hold = plan.GroundStationLost.HoldAfter?.TotalSeconds ?? 5;

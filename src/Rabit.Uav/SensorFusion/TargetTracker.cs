@@ -107,10 +107,10 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
         for (int i = 0; i < reports.Count; i++)
         {
             int column = _assignment.ColumnOf(i);
-            if (column < 0)
-                missing++;
-            else
+            if (column >= 0)
                 _isAssigned[column] = true;
+            else if (!IsLate(reports[i], time))
+                missing++;
         }
 
         int removed = 0;
@@ -178,7 +178,7 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
 
     private FusedTrack? Start(in LocatedReport report, TimeSpan time)
     {
-        if (time - report.Report.Time > options.LateWindow)
+        if (IsLate(report, time))
         {
             statistics.ReportsLate++;
             return null;
@@ -197,6 +197,9 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
         Confirm(track);
         return track;
     }
+
+    // It starts no track.
+    private bool IsLate(in LocatedReport report, TimeSpan time) => time - report.Report.Time > options.LateWindow;
 
     private void Confirm(FusedTrack track)
     {

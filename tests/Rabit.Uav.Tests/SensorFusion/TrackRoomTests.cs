@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using Rabit.Uav.Messages;
 using Xunit;
@@ -61,6 +62,20 @@ public sealed class TrackRoomTests
         Assert.Equal(1, rig.Counters.ReportsWithoutRoom);
         Assert.Equal(TargetDecision.Confirmed, rig.Tracks[0].Decision);
         Assert.Equal([TrackState.Tentative, TrackState.Tentative], rig.Tracks.Skip(1).Select(t => t.State));
+    }
+
+    // They start no track, so that none has to go for them.
+    [Fact]
+    public void Tracks_RoomIsFullAndReportsAreTooLate_AllStay()
+    {
+        using var rig = new FusionRig(o => o.MaxTracks = 3);
+        rig.Observe(0, 0, Report(0, -10), Report(0, 0), Report(0, 10));
+        int[] before = [.. rig.Tracks.Select(t => t.Id)];
+        rig.Run(30);
+        rig.Push(Report(500, 0) with { SourceSystemId = 2, PictureNumber = 1, Time = rig.Now - TimeSpan.FromSeconds(15) });
+        rig.Run(2);
+        Assert.Equal(before, rig.Tracks.Select(t => t.Id));
+        Assert.Equal((1, 0), (rig.Counters.ReportsLate, rig.Counters.TracksDropped));
     }
 
     // One picture full of clutter is not to delete what was confirmed once.

@@ -1,7 +1,5 @@
 using System;
-using System.IO;
 using System.Linq;
-using Spectre.Console;
 using Xunit;
 
 namespace UavConsole.Tests.Screen;
@@ -67,17 +65,6 @@ public sealed class GroupScreenTests : IDisposable
     }
 
     private string[] Draw(int rows)
-    {
-        var output = new StringWriter();
-        IAnsiConsole console = AnsiConsole.Create(new AnsiConsoleSettings
-        {
-            Ansi = AnsiSupport.No,
-            ColorSystem = ColorSystemSupport.NoColors,
-            Interactive = InteractionSupport.No,
-            Out = new AnsiConsoleOutput(output),
-        });
-        (console.Profile.Width, console.Profile.Height) = (Width, rows);
-        console.Write(new GroupScreen(_flight).Draw(Width, rows, isUnicode: false));
-        return output.ToString().TrimEnd().Split('\n').Select(l => l.TrimEnd('\r', ' ')).ToArray();
-    }
+        => PlainConsole.Draw(new GroupScreen(_flight).Draw(Width, rows, isUnicode: false), Width, rows).TrimEnd()
+            .Split('\n').Select(l => l.TrimEnd('\r', ' ')).ToArray();
 }

@@ -28,7 +28,8 @@ internal static class CameraSourceDescription
     private const double MaxMicroseconds = 10e6;
 
     // Of a program without metadata, or for the pictures whose metadata do not come.
-    private const double MinArrivalNoise = 20_000;
+    private static readonly double MinArrivalNoise
+        = PictureTimeSource.MinArrivalNoise.Ticks / PictureFolderWriter.TicksPerMicrosecond;
 
     /// <param name="source">The object of the source.</param>
     /// <param name="model">The camera, whose size the pictures have.</param>

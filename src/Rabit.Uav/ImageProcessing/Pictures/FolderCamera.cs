@@ -33,6 +33,7 @@ public sealed class FolderCamera : ICamera
     private readonly List<ListedPicture> _pending = [];   // the next is the last
     private readonly List<string> _nameless = [];
     private readonly PictureReader _reader = new();
+    private readonly string _timeSource;
     private ReaderContext? _context;
     private long _openedUtc;
     private long _lastUtc = long.MinValue;
@@ -55,6 +56,7 @@ public sealed class FolderCamera : ICamera
     {
         _folder = folder ?? throw new ArgumentNullException(nameof(folder));
         _listing = new PictureListing(folder);
+        _timeSource = PictureTimeSource.Describe("names of the pictures or camera.json", folder.TimeNoise);
         _pool = new BufferPool("camera " + folder.Path, buffers, folder.Camera.Width * folder.Camera.Height * 3);
     }
 
@@ -73,7 +75,7 @@ public sealed class FolderCamera : ICamera
         BeforeRun = PicturesBeforeRun,
         Late = PicturesLate,
         Ahead = PicturesAhead,
-        TimeSource = PictureTimeSource.Describe("names of the pictures or camera.json", _folder.TimeNoise),
+        TimeSource = _timeSource,
         Fault = Volatile.Read(ref _fault),
         LastFault = LastRefusal,
     };

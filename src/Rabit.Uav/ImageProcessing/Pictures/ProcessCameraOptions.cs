@@ -119,7 +119,8 @@ public sealed class ProcessCameraOptions
             throw new ArgumentException(
                 FormattableString.Invariant($"The camera of {Program}: {nameof(TimeNoise)} is ")
                     + FormattableString.Invariant($"{TimeNoise.TotalMilliseconds} ms; a time by arrival is not known ")
-                    + "better than to 20 ms.",
+                    + FormattableString.Invariant(
+                        $"better than to {PictureTimeSource.MinArrivalNoise.TotalMilliseconds} ms."),
                 parameter);
         }
 

@@ -119,8 +119,8 @@ internal sealed class GroupDivision
             && !present.Any(m => m.Report.DivisionAuthor == ownSystemId && IsNewer(m.Report.DivisionNumber, Number));
         if (isNeeded || (mayBalance && IsUnbalanced(available, now)))
             Set(ownSystemId, divide(available).Shares, isTaken, present, now);
-        else if (mayBalance && IsShortOfEnergy(available, now) && divide(available) is { IsEnough: true } better)
-            Set(ownSystemId, better.Shares, isTaken, present, now);
+        else if (mayBalance && FindByEnergy(available, divide, now) is { } better)
+            Set(ownSystemId, better, isTaken, present, now);
         else if (!isTaken)
             Set(ownSystemId, Shares, isTaken, present, now);
         if (Author != ownSystemId || now - _sent < RepeatPeriod || present.Count == 0)
@@ -157,16 +157,20 @@ internal sealed class GroupDivision
         return isIdle && available.Any(m => SecondsLeft(m.Report) > MinBalanceSeconds);
     }
 
-    // Also of a division that would not be better it is not asked for again and again.
-    private bool IsShortOfEnergy((byte SystemId, GroupReport Report)[] available, TimeSpan now)
+    // Also a division that would not be better is not asked for again at once.
+    private ImmutableArray<LaneShare>? FindByEnergy(
+        (byte SystemId, GroupReport Report)[] available,
+        Func<IReadOnlyList<(byte SystemId, GroupReport Report)>,
+            (ImmutableArray<LaneShare> Shares, bool IsEnough)> divide,
+        TimeSpan now)
     {
-        if (now - _made < EnergyPeriod || now - _askedForEnergy < EnergyPeriod)
-            return false;
-        bool isShort = available.Any(m => SpareSeconds(m.Report) < 0)
-            && available.Any(m => SpareSeconds(m.Report) > MinBalanceSeconds);
-        if (isShort)
-            _askedForEnergy = now;
-        return isShort;
+        bool isSoon = now - _made < EnergyPeriod || now - _askedForEnergy < EnergyPeriod;
+        if (isSoon || !available.Any(m => SpareSeconds(m.Report) < 0)
+            || !available.Any(m => SpareSeconds(m.Report) > MinBalanceSeconds))
+            return null;
+        _askedForEnergy = now;
+        (ImmutableArray<LaneShare> shares, bool isEnough) = divide(available);
+        return isEnough ? shares : null;
     }
 
     private static double SecondsLeft(in GroupReport report) => report.MetresLeft / report.SpeedMetresPerSecond;

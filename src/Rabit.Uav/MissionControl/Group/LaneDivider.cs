@@ -36,14 +36,6 @@ internal static class LaneDivider
     /// <param name="lanes">The lanes, in the order in which they lie.</param>
     /// <param name="metresLeft">What is left of each.</param>
     /// <param name="members">At least one.</param>
-    public static ImmutableArray<LaneShare> Divide(
-        IReadOnlyList<LaneSegment> lanes, IReadOnlyList<double> metresLeft, IReadOnlyList<Member> members)
-        => Divide(lanes, metresLeft, members, out _);
-
-    /// <summary>As the other; says also whether the energy of all is enough.</summary>
-    /// <param name="lanes">The lanes, in the order in which they lie.</param>
-    /// <param name="metresLeft">What is left of each.</param>
-    /// <param name="members">At least one.</param>
     /// <param name="isEnough">Whether the energy of each is enough for its share; else it was not looked at.</param>
     public static ImmutableArray<LaneShare> Divide(
         IReadOnlyList<LaneSegment> lanes, IReadOnlyList<double> metresLeft, IReadOnlyList<Member> members,

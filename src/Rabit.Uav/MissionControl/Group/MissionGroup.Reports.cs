@@ -10,9 +10,6 @@ internal sealed partial class MissionGroup
     // A barometer that drifts further, or a satellite receiver that is wrong, must not lead us to the ground.
     private const double MaxOffsetMetres = 5;
 
-    // No goal is lower by it.
-    private const double MinHeightMetres = 5;
-
     // Goals are not to change all the time.
     private const double OffsetStepMetres = 0.5;
 
@@ -56,7 +53,7 @@ internal sealed partial class MissionGroup
         double revisit = mission.Revisit.HeightMetres ?? mission.HeightMetres;
         double up = (mission.MaxHeightMetres ?? MissionPlanRules.MaxHeightMetres) - MissionPlanRules.HeightReserveMetres
             - Math.Max(mission.HeightMetres, revisit);
-        double down = Math.Min(mission.HeightMetres, revisit) - MinHeightMetres;
+        double down = Math.Min(mission.HeightMetres, revisit) - MissionPlanRules.MinHeightMetres;
         return Math.Max(
             -Math.Min(MaxOffsetMetres, Math.Max(0, down)),
             Math.Min(Math.Min(MaxOffsetMetres, Math.Max(0, up)), metres));

@@ -318,28 +318,6 @@ public sealed class V4l2CameraTests : IDisposable
             Assert.Contains(name, e.Message, StringComparison.Ordinal);
     }
 
-    [LinuxFact]
-    public void LinuxCalls_OnThisMachine_AnswerAsTheyShould()
-    {
-        var system = new LinuxVideoSystem();
-        VideoDeviceException none = Assert.Throws<VideoDeviceException>(
-            () => new V4l2Device(system, new V4l2CameraOptions { Device = "/dev/no-such-camera" }));
-        VideoDeviceException other = Assert.Throws<VideoDeviceException>(
-            () => new V4l2Device(system, new V4l2CameraOptions { Device = "/dev/null" }));
-        int zero = system.Open("/dev/zero");
-        IntPtr memory = system.Map(zero, 0, 4096);
-
-        Assert.Equal("there is no such device", none.Message);
-        Assert.Equal("this is no video device", other.Message);
-        Assert.True(zero >= 0 && memory != IntPtr.Zero);
-        Assert.Equal(1, system.Wait(zero, 1000));
-        system.Unmap(memory, 4096);
-        system.Close(zero);
-        Assert.True(system.Wait(-1, 0) == 0, "a descriptor below 0 is left out");
-        long first = system.MonotonicMicroseconds();
-        Assert.InRange(system.MonotonicMicroseconds() - first, 0, 10_000_000);
-    }
-
     [VideoDeviceFact]
     public void RealDevice_GivesPictures()
     {
@@ -389,32 +367,4 @@ public sealed class V4l2CameraTests : IDisposable
         => Assert.True(
             SpinWait.SpinUntil(() => _log.Any(l => l.StartsWith(start, StringComparison.Ordinal)), MaxWait),
             string.Join("\n", _log));
-
-    /// <summary>
-    /// Measures what reading a picture allocates on the reader's thread. A collection adds to single ones; what reading
-    /// itself allocates, each has.
-    /// </summary>
-    private sealed class MeasuringSource(V4l2Camera camera) : IReaderSource<CameraFrame>
-    {
-        private int _read;
-
-        public bool Blocks => camera.Blocks;
-
-        public long MinAllocated { get; private set; } = long.MaxValue;
-
-        public void Open(ReaderContext context) => camera.Open(context);
-
-        public ReaderStep Read(out CameraFrame value)
-        {
-            long before = Allocated.SoFar;
-            ReaderStep step = camera.Read(out value);
-            if (step.Kind == ReaderStepKind.Value && ++_read > 3)
-                MinAllocated = Math.Min(MinAllocated, Allocated.SoFar - before);
-            return step;
-        }
-
-        public void Unblock() => camera.Unblock();
-
-        public void Close() => camera.Close();
-    }
 }

@@ -72,7 +72,8 @@ public sealed class LaneDividerTests
             [
                 Member(1) with { Position = new PlanePoint(150, 0) },
                 Member(2) with { Position = new PlanePoint(0, 150) },
-            ]);
+            ],
+            out _);
         Assert.Equal(new LaneShare(1, 0, 3), shares[0]);
     }
 
@@ -92,14 +93,14 @@ public sealed class LaneDividerTests
     public void Divide_SomeLanesAreFlown_TheRestIsShared()
     {
         double[] left = [0, 0, 0, 0, 0, 0, 0, 0, 300, 300, 300, 300];
-        ImmutableArray<LaneShare> shares = LaneDivider.Divide(Lanes(12), left, [Member(1), Member(2)]);
+        ImmutableArray<LaneShare> shares = LaneDivider.Divide(Lanes(12), left, [Member(1), Member(2)], out _);
         AssertComplete(shares, 12);
         Assert.All(shares, s => Assert.Equal(600, left.Skip(s.First).Take(s.Count).Sum()));
     }
 
     [Fact]
     public void Divide_NothingIsLeft_IsComplete()
-        => AssertComplete(LaneDivider.Divide(Lanes(3), [0, 0, 0], [Member(1), Member(2)]), 3);
+        => AssertComplete(LaneDivider.Divide(Lanes(3), [0, 0, 0], [Member(1), Member(2)], out _), 3);
 
     [Theory]
     [InlineData(1)]
@@ -120,12 +121,12 @@ public sealed class LaneDividerTests
                     Position = new PlanePoint(random.NextDouble() * 300, random.NextDouble() * 900),
                     Seconds = random.Next(3) == 0 ? random.NextDouble() * 400 : double.MaxValue,
                 }).ToArray();
-            AssertComplete(LaneDivider.Divide(Lanes(count), left, members), count, $"seed {seed}, division {i}");
+            AssertComplete(LaneDivider.Divide(Lanes(count), left, members, out _), count, $"seed {seed}, division {i}");
         }
     }
 
     private static ImmutableArray<LaneShare> Divide(int lanes, params LaneDivider.Member[] members)
-        => LaneDivider.Divide(Lanes(lanes), Enumerable.Repeat(300.0, lanes).ToArray(), members);
+        => LaneDivider.Divide(Lanes(lanes), Enumerable.Repeat(300.0, lanes).ToArray(), members, out _);
 
     private static LaneDivider.Member Member(byte id) => new(id, default, 6, double.MaxValue);
 
