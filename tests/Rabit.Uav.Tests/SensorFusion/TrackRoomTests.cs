@@ -72,7 +72,8 @@ public sealed class TrackRoomTests
         rig.Observe(0, 0, Report(0, -10), Report(0, 0), Report(0, 10));
         int[] before = [.. rig.Tracks.Select(t => t.Id)];
         rig.Run(30);
-        rig.Push(Report(500, 0) with { SourceSystemId = 2, PictureNumber = 1, Time = rig.Now - TimeSpan.FromSeconds(15) });
+        TimeSpan then = rig.Now - TimeSpan.FromSeconds(15);
+        rig.Push(Report(500, 0) with { SourceSystemId = 2, PictureNumber = 1, Time = then });
         rig.Run(2);
         Assert.Equal(before, rig.Tracks.Select(t => t.Id));
         Assert.Equal((1, 0), (rig.Counters.ReportsLate, rig.Counters.TracksDropped));
