@@ -30,7 +30,6 @@ COLOURS = {
 # What Rabit does, what OpenCV does for it, and how much of OpenCV's time the limit is.
 ROWS = [
     ("shapes", "chain", 0.5),
-    ("squares", "chain", 0.5),
     ("markers", "aruco 4x4_50", 0.6),
     ("markers", "aruco 36h11", 0.6),
     ("read-colour", None, None),

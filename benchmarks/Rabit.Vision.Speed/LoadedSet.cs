@@ -18,7 +18,6 @@ internal sealed class LoadedSet
 
     private readonly LoadedPicture[] _pictures;
     private readonly ShapeTargetDetector _shapes = new(BenchClasses.All);
-    private readonly ColourTargetDetector _squares = new(BenchClasses.Panels);
     private readonly MarkerDetector _markers = new();
     private readonly TargetDetection[] _found = new TargetDetection[64];
 
@@ -35,7 +34,6 @@ internal sealed class LoadedSet
         Func<LoadedPicture, int> search = operation switch
         {
             "shapes" => p => Detect(_shapes, p),
-            "squares" => p => Detect(_squares, p),
             "markers" => p => _markers.Find(p.Grey, p.Width, p.Height).Length,
             "read-colour" => p => ReadOnce(p.Pixels),
             "read-grey" => p => ReadOnce(p.Grey),

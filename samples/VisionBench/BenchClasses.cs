@@ -20,11 +20,6 @@ internal static class BenchClasses
         ("white", new ColourRange(236, 236, 234)),
     ];
 
-    /// <summary>Panels of 1 to 2 m, squares, circles, triangles, crosses and rectangles.</summary>
-    public static ImmutableArray<TargetClass> Panels { get; } = Colours.Take(5)
-        .Select(c => new TargetClass("panel-" + c.Name) { Colour = c.Range, MinSideMetres = 0.7, MaxSideMetres = 2.3 })
-        .ToImmutableArray();
-
     /// <summary>Panels, cars and persons.</summary>
     public static ImmutableArray<TargetClass> All { get; } =
     [

@@ -10,7 +10,6 @@ namespace VisionBench;
 /// <summary>The command line.</summary>
 internal sealed class BenchOptions
 {
-    private string _detector = "shapes";
     private int _repeats = 1;
 
     public List<string> Folders { get; } = [];
@@ -46,9 +45,6 @@ internal sealed class BenchOptions
                 case "--part" when i + 1 < args.Length && args[i + 1] is "all" or "odd" or "even":
                     options.Part = args[++i];
                     break;
-                case "--detector" when i + 1 < args.Length && args[i + 1] is "squares" or "shapes" or "default":
-                    options._detector = args[++i];
-                    break;
                 case "--html" when i + 1 < args.Length:
                     options.HtmlFile = args[++i];
                     break;
@@ -69,19 +65,12 @@ internal sealed class BenchOptions
 
     public bool Includes(int index) => Part == "all" || (Part == "odd") == (index % 2 == 1);
 
-    public string Describe() => $"detector {_detector}, {Part} frames" + (IsColourEnough ? ", by colour alone" : "");
+    public string Describe() => $"{Part} frames" + (IsColourEnough ? ", by colour alone" : "");
 
-    public Bench CreateBench()
-        => _detector switch
-        {
-            "squares" => Create(new ColourTargetDetector(BenchClasses.Panels), BenchClasses.Panels),
-            "default" => Create(
-                new ImageProcessingOptions { TargetClasses = BenchClasses.All }.CreateDetector(), BenchClasses.All),
-            _ => Create(new ShapeTargetDetector(BenchClasses.All), BenchClasses.All),
-        };
-
-    private Bench Create(ITargetDetector detector, ImmutableArray<TargetClass> classes)
-        => new(detector, classes, IsColourEnough, _repeats);
+    /// <summary>With the detector that Image Processing makes for these classes.</summary>
+    public Bench CreateBench() => new(
+        new ImageProcessingOptions { TargetClasses = BenchClasses.All }.CreateDetector(), BenchClasses.All,
+        IsColourEnough, _repeats);
 
     private static bool TryCount(string text, out int count)
         => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out count) && count > 0;

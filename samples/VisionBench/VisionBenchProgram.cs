@@ -10,13 +10,11 @@ namespace VisionBench;
 internal static class VisionBenchProgram
 {
     private const string Usage = """
-        usage: VisionBench FOLDER... [--detector shapes|squares|default] [--part all|odd|even] [--colour-only] [--list]
+        usage: VisionBench FOLDER... [--part all|odd|even] [--colour-only] [--list]
                            [--html FILE] [--repeat N] [--help]
 
         FOLDER         a set: pictures with a truth.json (format uav-imagery-truth); its parent may have the
                        baseline.json of the reference
-        --detector     shapes (ShapeTargetDetector, without this), squares (ColourTargetDetector, which knows no
-                       white), or default (what Image Processing makes for these classes)
         --part         only the odd frames (for tuning) or the even ones
         --colour-only  a panel that is taken for a vehicle of its colour is right, as for the reference
         --list         each miss, each centre that is far off and each false alarm, one line each

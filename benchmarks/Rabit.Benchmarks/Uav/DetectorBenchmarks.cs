@@ -16,7 +16,7 @@ public class DetectorBenchmarks
     private const int Width = 640;
     private const int Height = 480;
 
-    private readonly ColourTargetDetector _detector = new(TargetClass.Defaults);
+    private readonly ShapeTargetDetector _detector = new(TargetClass.Defaults);
     private readonly TargetDetection[] _found = new TargetDetection[16];
     private readonly NadirScale _scale = new();
     private readonly byte[] _grass = Paint(panels: 0, spots: 0);

@@ -15,7 +15,7 @@ public class PictureQualityBenchmarks
     private const int Width = 640;
     private const int Height = 480;
 
-    private readonly ColourTargetDetector _detector = new(TargetClass.Defaults);
+    private readonly ShapeTargetDetector _detector = new(TargetClass.Defaults);
     private readonly TargetDetection[] _found = new TargetDetection[16];
     private readonly PictureJudge _judge = new();
     private readonly byte[] _grass = Paint();

@@ -209,6 +209,7 @@ internal static class MissionSummaryJson
         json.WriteNumber("reports", imaging.Reports);
         json.WriteNumber("detectorFailures", imaging.DetectorFailures);
         json.WriteNumber("detectionsRefused", imaging.DetectionsRefused);
+        json.WriteNumber("detectionsCut", imaging.DetectionsCut);
         json.WriteNumber("detectorOverruns", imaging.DetectorOverruns);
         json.WriteString("fault", imaging.Fault);
         json.WriteEndObject();

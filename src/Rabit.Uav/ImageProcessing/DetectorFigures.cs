@@ -17,6 +17,7 @@ internal sealed class DetectorFigures(PictureSearch search, Action<string> log)
     {
         status.DetectorFailures = search.Detector.Failures;
         status.DetectionsRefused = search.Detector.Refused;
+        status.DetectionsCut = search.Detector.Cut;
         status.DetectorOverruns = search.Detector.Overruns;
         status.LastDetectorFault = search.Detector.LastFault;
         status.UnknownClasses = search.UnknownClasses;

@@ -6,6 +6,7 @@ using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
+using Rabit.Vision;
 
 namespace Rabit.Uav.ImageProcessing;
 
@@ -46,11 +47,11 @@ public sealed class ImageProcessingOptions
 
     /// <summary>What finds targets in pictures. It belongs to one manager; its thread is that of the manager.</summary>
     /// <value>
-    /// The default, null, is a <see cref="ColourTargetDetector"/> of <see cref="TargetClasses"/>, a
-    /// <see cref="PanelTargetDetector"/> of those of two colours, of black or white, a
-    /// <see cref="MarkerTargetDetector"/> of those that are markers, a <see cref="TemplateTargetDetector"/> of those
-    /// that have a template, and a <see cref="ShapeTargetDetector"/> of those that have parts of another colour. Of a
-    /// thermal camera it is a <see cref="HotSpotTargetDetector"/>.
+    /// The default, null, is what <see cref="CreateDetector"/> makes: a <see cref="ShapeTargetDetector"/> of those
+    /// <see cref="TargetClasses"/> that have one colour, a <see cref="PanelTargetDetector"/> of those of two colours or
+    /// of black, a <see cref="MarkerTargetDetector"/> of those that are markers, and a
+    /// <see cref="TemplateTargetDetector"/> of those that have a template. Of a thermal camera it is a
+    /// <see cref="HotSpotTargetDetector"/>.
     /// </value>
     public ITargetDetector? Detector { get; set; }
 
@@ -62,18 +63,13 @@ public sealed class ImageProcessingOptions
     public TimeSpan DetectorTimeBudget { get; set; } = TimeSpan.FromMilliseconds(200);
 
     /// <summary>
-    /// What the default detector takes for a target; of no effect with another <see cref="Detector"/>.
-    /// </summary>
-    public ColourDetectorOptions ColourDetector { get; set; } = new();
-
-    /// <summary>
     /// How many pixels the side of the smallest target must have that is searched for: where the pixels of a picture
     /// are larger on the ground it is not searched, and that ground does not count as seen; nor is a picture in which
     /// too little is left, or in which the ground moves further during the exposure. 0: not judged.
     /// </summary>
     /// <value>
-    /// The default, null, is what the colour detector needs (<see cref="ColourDetectorOptions.MinSidePixels"/>), and
-    /// with another <see cref="Detector"/> 0: what that needs is not known.
+    /// The default, null, is 4, what the default detector needs of a panel, and with another <see cref="Detector"/> 0:
+    /// what that needs is not known.
     /// </value>
     public double? MinTargetPixels { get; set; }
 
@@ -148,7 +144,6 @@ public sealed class ImageProcessingOptions
         ImageProcessingOptions copy = Copy();
         copy.Errors = Errors.Copy();
         copy.LandingMarker = LandingMarker?.Copy();
-        copy.ColourDetector = ColourDetector.Copy();
         copy.KeptPictures = KeptPictures?.Copy();
         return copy;
     }
@@ -156,7 +151,7 @@ public sealed class ImageProcessingOptions
     internal ImageProcessingOptions Copy() => (ImageProcessingOptions)MemberwiseClone();
 
     internal double EffectiveMinTargetPixels
-        => MinTargetPixels ?? (Detector is null ? ColourDetector.MinSidePixels : 0);
+        => MinTargetPixels ?? (Detector is null ? ShapeTargetDetector.MinSidePixels : 0);
 
     /// <summary>
     /// Makes the detector that searches for <see cref="TargetClasses"/> where <see cref="Detector"/> is null: one for
@@ -170,35 +165,7 @@ public sealed class ImageProcessingOptions
         if (faults.Length > 0)
             throw new InvalidOperationException("Image Processing: " + string.Join("; ", faults) + ".");
 
-        // A thermal camera sees nothing else.
-        ImmutableArray<TargetClass> hotSpots = [.. TargetClasses.Where(c => c.HotSpot is not null)];
-        if (!hotSpots.IsEmpty)
-            return new HotSpotTargetDetector(hotSpots);
-        ImmutableArray<TargetClass> coloured = [.. TargetClasses.Where(c => c.IsColoured)];
-        ImmutableArray<TargetClass> markers = [.. TargetClasses.Where(c => c.Marker is not null)];
-        ImmutableArray<TargetClass> templates = [.. TargetClasses.Where(c => c.Template is not null)];
-        ImmutableArray<TargetClass> panels = [.. TargetClasses.Where(c => c.IsPanel)];
-        ImmutableArray<TargetClass> shaped = [.. TargetClasses.Where(c => c.IsShaped)];
-
-        // What is found by more than its colour comes first, and last what may be anything of its colour.
-        var parts = ImmutableArray.CreateBuilder<PartDetector>();
-        if (!markers.IsEmpty)
-            parts.Add(new PartDetector(new MarkerTargetDetector(markers), markers));
-        if (!panels.IsEmpty)
-            parts.Add(new PartDetector(new PanelTargetDetector(panels), panels));
-        if (!templates.IsEmpty)
-            parts.Add(new PartDetector(new TemplateTargetDetector(templates), templates));
-        if (!coloured.IsEmpty)
-        {
-            parts.Add(new PartDetector(
-                new ColourTargetDetector(coloured, ColourDetector, Errors.PixelNoise), coloured));
-        }
-
-        if (!shaped.IsEmpty)
-            parts.Add(new PartDetector(
-                new ShapeTargetDetector(shaped) { LeavesOutCut = parts.Count == 0 }, shaped));
-
-        return parts.Count == 1 ? parts[0].Detector : new CombinedTargetDetector(parts.ToImmutable());
+        return DefaultDetector.Create(TargetClasses);
     }
 
     internal IEnumerable<string> FindFaults(bool hasCamera)
@@ -206,8 +173,8 @@ public sealed class ImageProcessingOptions
 
     private IEnumerable<string> FindFaultsOfValues(bool hasCamera)
     {
-        if (Mount is null || Errors is null || ColourDetector is null)
-            yield return "the mount, the errors and the colour detector's options may not be null";
+        if (Mount is null || Errors is null)
+            yield return "the mount and the errors may not be null";
         if (hasCamera && Camera is null)
             yield return $"there is a camera, but {nameof(Camera)} does not say what it is like";
         if (DetectorTimeBudget <= TimeSpan.Zero)
@@ -265,11 +232,5 @@ public sealed class ImageProcessingOptions
             .Concat(LandingMarker?.FindFaults() ?? [])
             .Concat(KeptPictures?.FindFaults() ?? [])
             .Concat(TargetClass.FindFaults(TargetClasses))
-            .Concat(ColourDetector?.FindFaults() ?? [])
-            .Concat(Detector is null && !TargetClasses.IsDefault ? FindFaultsOfDetectors() : []);
-
-    // Of those that would be made: each may distinguish so many classes.
-    private IEnumerable<string> FindFaultsOfDetectors()
-        => ColourTargetDetector.FindColourFaults([.. TargetClasses.Where(c => c?.IsColoured != false)])
-            .Concat(ShapeTargetDetector.FindColourFaults([.. TargetClasses.Where(c => c?.IsShaped == true)]));
+            .Concat(Detector is null && !TargetClasses.IsDefault ? DefaultDetector.FindFaults(TargetClasses) : []);
 }

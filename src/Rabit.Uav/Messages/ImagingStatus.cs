@@ -85,6 +85,9 @@ public struct ImagingStatus
     /// </summary>
     public long DetectionsRefused { get; set; }
 
+    /// <summary>Detections that the border of the picture cuts, which are not reported.</summary>
+    public long DetectionsCut { get; set; }
+
     /// <summary>How often the detector took longer than <c>ImageProcessingOptions.DetectorTimeBudget</c>.</summary>
     public long DetectorOverruns { get; set; }
 

@@ -27,7 +27,9 @@ public sealed class TargetClass
     /// <exception cref="ArgumentException">The name is none of that kind.</exception>
     public TargetClass(string name) => Name = new TargetClassName(name);
 
-    private TargetClass(TargetClassName name, ColourRange colour) => (Name, Colour) = (name, colour);
+    // A square that is seen aslant, small or hidden in part.
+    private TargetClass(TargetClassName name, ColourRange colour)
+        => (Name, Colour, MaxAspect) = (name, colour, 1.7);
 
     /// <summary>Square panels of about 1 m in five colours: <see cref="DefaultTargetClasses"/>.</summary>
     public static ImmutableArray<TargetClass> Defaults { get; } =
@@ -51,23 +53,23 @@ public sealed class TargetClass
     public double MaxSideMetres { get; init; } = 1.5;
 
     /// <summary>How much longer than wide it is at least, on the ground; 1 for what may be a square.</summary>
-    /// <value>The default is 1. <see cref="ImageProcessing.ColourTargetDetector"/> does not use it.</value>
+    /// <value>The default is 1.</value>
     public double MinAspect { get; init; } = 1;
 
     /// <summary>How much longer than wide it is at most, on the ground.</summary>
-    /// <value>The default is 2. <see cref="ImageProcessing.ColourTargetDetector"/> does not use it.</value>
+    /// <value>The default is 2.</value>
     public double MaxAspect { get; init; } = 2;
 
     /// <summary>
     /// The least part of it that shows its colour: less than 1 for what has parts of another one, as a car has windows.
-    /// Such a class is found by <see cref="ImageProcessing.ShapeTargetDetector"/>.
+    /// Of less than 0.5 most is of other colours, which lie beside that one, as the trousers beside a jacket.
     /// </summary>
     /// <value>The default is 1.</value>
     public double MinColourShare { get; init; } = 1;
 
     /// <summary>
-    /// Its colour, which <see cref="ImageProcessing.ColourTargetDetector"/> needs, and which must differ from those of
-    /// the other classes; other detectors may leave it null.
+    /// Its colour, which <see cref="ImageProcessing.ShapeTargetDetector"/> needs: what has the same one as another class
+    /// must differ in size or form. Other detectors may leave it null.
     /// </summary>
     public ColourRange? Colour { get; init; }
 
@@ -101,15 +103,15 @@ public sealed class TargetClass
     /// Whether <see cref="ImageProcessing.PanelTargetDetector"/> finds it: a panel of two colours, of black or of
     /// white.
     /// </summary>
-    public bool IsPanel => Colour is not null && Marker is null && Template is null && HotSpot is null && !IsShaped
-        && (SecondColour is not null || PanelColours.IsBlack(Colour) || PanelColours.IsWhite(Colour));
+    public bool IsPanel => Colour is not null && Marker is null && Template is null && HotSpot is null
+        && (SecondColour is not null
+            || (MinColourShare == 1 && (PanelColours.IsBlack(Colour) || PanelColours.IsWhite(Colour))));
 
-    /// <summary>Whether it is found by its form, since only a part of it shows its colour.</summary>
-    internal bool IsShaped => Colour is not null && SecondColour is null && Marker is null && Template is null
-        && HotSpot is null && MinColourShare < 1;
-
-    /// <summary>Whether it is found by its one colour: what has nothing else to be found by.</summary>
-    internal bool IsColoured => Marker is null && Template is null && HotSpot is null && !IsPanel && !IsShaped;
+    /// <summary>
+    /// Whether it is found by its one colour and its form, with <see cref="ImageProcessing.ShapeTargetDetector"/>: what
+    /// has nothing else to be found by.
+    /// </summary>
+    internal bool IsForm => Marker is null && Template is null && HotSpot is null && !IsPanel;
 
     // What must be resolved of it as four pixels are of a panel: of a marker, that its cells can be read, and of a
     // template, its edges.

@@ -21,6 +21,15 @@ internal struct MeanColour
         Count++;
     }
 
+    /// <summary>Adds the colour of a pixel, whatever its brightness: one of length 1.</summary>
+    public void AddHue(byte[] pixels, int at)
+    {
+        (double red, double green, double blue) = (pixels[at], pixels[at + 1], pixels[at + 2]);
+        double length = Math.Sqrt((red * red) + (green * green) + (blue * blue) + 1);
+        (Red, Green, Blue) = (Red + (red / length), Green + (green / length), Blue + (blue / length));
+        Count++;
+    }
+
     /// <summary>How far a pixel is from it, squared; the length of it is found beforehand.</summary>
     public readonly double SquareTo(byte[] pixels, int at, double length)
     {
@@ -29,6 +38,13 @@ internal struct MeanColour
         double along = ((red * Red) + (green * Green) + (blue * Blue)) / length;
         return (red * red) + (green * green) + (blue * blue) - (ShadeInvariance * along * along);
     }
+
+    /// <summary>Cosine of the angle to another one: 1 for what differs in brightness alone.</summary>
+    public readonly double CosineTo(in MeanColour other)
+        => ((Red * other.Red) + (Green * other.Green) + (Blue * other.Blue))
+            / Math.Sqrt(Square() * other.Square());
+
+    private readonly double Square() => (Red * Red) + (Green * Green) + (Blue * Blue) + 1e-9;
 
     /// <summary>Its length, never 0.</summary>
     public readonly double Length() => Math.Sqrt((Red * Red) + (Green * Green) + (Blue * Blue) + 1);

@@ -17,6 +17,14 @@ internal sealed class PatchColour
     private const double SaturationSigma = 0.11;
     private const double FullSaturation = 0.92;
 
+    // Light of usual ground. What has less of its light in its colour than this part of the nominal one is dull.
+    private const double LightOfGround = 0.16;
+    private const double LeastLight = 0.01;
+    private const double FullBrilliance = 0.8;
+    private const double MinBrilliance = 0.5;
+    private const double SmallSide = 7;
+    private const double LargeSide = 11;
+
     // White is twice as bright as ground by the curve of sRGB, which is five times the light; a light grey less.
     private const double FullContrast = 1.9;
     private const double LevelOfWhite = 236;
@@ -43,6 +51,7 @@ internal sealed class PatchColour
     private readonly double _tint;   // of a grey: its own, which is none of the light
     private readonly int _strongest;
     private readonly double _turn;   // of the hue by overexposure, degrees
+    private readonly double _brilliance;   // light in its colour, of that of usual ground
 
     public PatchColour(ColourRange colour)
     {
@@ -58,6 +67,7 @@ internal sealed class PatchColour
             Math.Min(255, Overexposure * colour.Red), Math.Min(255, Overexposure * colour.Green),
             Math.Min(255, Overexposure * colour.Blue));
         _turn = Difference(hue, _hue);
+        _brilliance = ChromaLight(colour.Red, colour.Green, colour.Blue) / LightOfGround;
     }
 
     /// <summary>White, black or grey: only its brightness against its surroundings shows it.</summary>
@@ -82,11 +92,29 @@ internal sealed class PatchColour
         return (Math.Abs(off), saturation / _saturation);
     }
 
+    /// <summary>
+    /// How much of its light is in its colour, as a part of the nominal one, against the ground around it or in all of
+    /// the picture: haze takes saturation, but not that, and shade takes it from the ground too. A dull surface has
+    /// little of both. From 0.5 to 1; what has more counts as 1.
+    /// </summary>
+    public double Brilliance(in PatchShape shape, double level, double mixed)
+    {
+        double ground = Math.Max(shape.GroundRed, Math.Max(shape.GroundGreen, shape.GroundBlue));
+        double around = Math.Max(LeastLight, LinearLight.Of(ground));
+        double part = ChromaLight(shape.Red, shape.Green, shape.Blue) / around / _brilliance / (1 - mixed);
+        double dull = 1 - Clamp(part / FullBrilliance, MinBrilliance, 1);
+        return 1 - (dull * Clamp((Math.Sqrt(shape.Area) - SmallSide) / (LargeSide - SmallSide), 0, 1));
+    }
+
     /// <summary>How unlike: 0 for the same, 1 for one standard deviation in hue or saturation, squared.</summary>
-    public double Cost(double red, double green, double blue)
+    /// <param name="red">0 to 255.</param>
+    /// <param name="green">0 to 255.</param>
+    /// <param name="blue">0 to 255.</param>
+    /// <param name="brilliance">1, or less for what may be paler the less: <see cref="Brilliance"/>.</param>
+    public double Cost(double red, double green, double blue, double brilliance)
     {
         (double hue, double saturation) = Compare(red, green, blue);
-        double pale = Math.Max(0, FullSaturation - saturation) / SaturationSigma;
+        double pale = Math.Max(0, FullSaturation - saturation) / (brilliance * SaturationSigma);
         return (hue * hue / (HueSigmaDegrees * HueSigmaDegrees)) + (pale * pale);
     }
 
@@ -118,6 +146,9 @@ internal sealed class PatchColour
         };
         return Math.Max(0, FullBrightness - ratio) / BrightnessSigma;
     }
+
+    private static double ChromaLight(double red, double green, double blue)
+        => LinearLight.Of(Math.Max(red, Math.Max(green, blue))) - LinearLight.Of(Math.Min(red, Math.Min(green, blue)));
 
     private static double ChromaOf(double red, double green, double blue)
     {

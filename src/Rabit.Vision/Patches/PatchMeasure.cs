@@ -17,6 +17,11 @@ public sealed class PatchMeasure
     // Ground that is a little like the colour is no part of the patch.
     private const double MinCoverage = 0.15;
 
+    // Of the surroundings, by their direction.
+    private const int Sectors = 16;
+    private const int FewOfSector = 3;
+    private const double TangentOfEighth = 0.41421356;
+
     private readonly PatchMap _map = new();
     private readonly BitGrid _half = new();   // what is covered by half and more
     private readonly PatchSamples _samples;
@@ -27,6 +32,7 @@ public sealed class PatchMeasure
     private PictureLight? _light;
     private MeanColour _ground;
     private MeanColour _inside;
+    private readonly MeanColour[] _sectors = new MeanColour[Sectors];
     private bool _isLookedAt;
 
     /// <summary>Makes one; it measures once a picture is set.</summary>
@@ -207,6 +213,7 @@ public sealed class PatchMeasure
     private void JudgeGround(ref PatchShape shape)
     {
         (int like, int around, double noise) = (0, 0, 0);
+        Array.Clear(_sectors, 0, Sectors);
         for (int row = 0; row < _map.Rows; row++)
         {
             for (int word = 0; word < _map.Ground.Words; word++)
@@ -220,12 +227,36 @@ public sealed class PatchMeasure
                         like++;
                     double off = Math.Min(1, Math.Abs(part));
                     noise += off * off;
+                    if (part < 0.5)
+                        _sectors[SectorOf(_map.Left + column - shape.CentreX, _map.Top + row - shape.CentreY)]
+                            .AddHue(_pixels, _map.PixelAt(column, row));
                 }
             }
         }
 
         shape.Continuation = around == 0 ? 0 : (double)like / around;
+        shape.OtherBeside = FurthestHueOfSectors();
         shape.GroundNoise = around == 0 ? 0 : Math.Sqrt(noise / around);
+    }
+
+    private static int SectorOf(double across, double down)
+    {
+        (double x, double y) = (Math.Abs(across), Math.Abs(down));
+        return (across < 0 ? 8 : 0) + (down < 0 ? 4 : 0) + (y > x ? 2 : 0)
+            + (Math.Min(x, y) > TangentOfEighth * Math.Max(x, y) ? 1 : 0);
+    }
+
+    // Of the means of all directions, degrees.
+    private double FurthestHueOfSectors()
+    {
+        double least = 1;
+        foreach (ref readonly MeanColour sector in _sectors.AsSpan())
+        {
+            if (sector.Count >= FewOfSector)
+                least = Math.Min(least, sector.CosineTo(_ground));
+        }
+
+        return Math.Acos(least) * 180 / Math.PI;
     }
 
     // Sides of pixels of the patch with one beyond that is none. The outermost rows of the map have no pixel of it.

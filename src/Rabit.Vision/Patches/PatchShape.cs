@@ -60,6 +60,12 @@ public struct PatchShape
     /// <summary>How much the ground around it varies, as a part of the contrast.</summary>
     public double GroundNoise { get; set; }
 
+    /// <summary>
+    /// The part of its surroundings that is neither like it nor like the ground, 0 to 1: what else may belong to it, as
+    /// the trousers below a jacket.
+    /// </summary>
+    public double OtherBeside { get; set; }
+
     /// <summary>Whether the border of the picture may cut a part of it off.</summary>
     public readonly bool TouchesBorder => CutLength > 0;
 

@@ -30,19 +30,35 @@ public sealed class PatchTable
     /// <exception cref="ArgumentException">There are more, or white or black twice.</exception>
     public PatchTable(ReadOnlySpan<ColourRange> colours)
     {
-        if (colours.Length > MaxColours)
-            throw new ArgumentException(
-                $"There are {colours.Length} colours; at most {MaxColours} are possible.", nameof(colours));
+        if (FindFault(colours) is { } fault)
+            throw new ArgumentException($"The colours of patches: {fault}.", nameof(colours));
         _colours = new PatchColour[colours.Length];
         for (int i = 0; i < colours.Length; i++)
             _colours[i] = new PatchColour(colours[i]);
-        if (_colours.Count(c => c.IsNeutral && c.IsBright) > 1 || _colours.Count(c => c.IsNeutral && !c.IsBright) > 1)
-            throw new ArgumentException("There are two white or two black colours.", nameof(colours));
         White = FindNeutral(isBright: true);
         Black = FindNeutral(isBright: false);
         for (int index = 0; index < Entries.Length; index++)
             Entries[index] = Classify(Middle(index >> (2 * Bits)), Middle(index >> Bits), Middle(index));
         Chroma = new ChromaLimits(Entries);
+    }
+
+    /// <summary>Why no table can be made for these colours; null if one can.</summary>
+    /// <param name="colours">All different.</param>
+    public static string? FindFault(ReadOnlySpan<ColourRange> colours)
+    {
+        if (colours.Length > MaxColours)
+            return $"there are {colours.Length} colours; at most {MaxColours} are possible";
+        (int bright, int dark) = (0, 0);
+        foreach (ColourRange colour in colours)
+        {
+            var patch = new PatchColour(colour);
+            bright += patch is { IsNeutral: true, IsBright: true } ? 1 : 0;
+            dark += patch is { IsNeutral: true, IsBright: false } ? 1 : 0;
+        }
+
+        return bright > 1 || dark > 1
+            ? $"there are two {(bright > 1 ? "whites or light greys" : "blacks or dark greys")} that differ; only brightness shows them, which must be the same for all classes"
+            : null;
     }
 
     /// <summary>How many colours.</summary>
@@ -79,10 +95,11 @@ public sealed class PatchTable
         PatchColour colour = _colours[index];
         if (colour.IsNeutral)
             return colour.NeutralCost(shape, light.Level);
+        double brilliance = colour.Brilliance(shape, light.Level, UsuallyMixed(shape));
         double least = double.PositiveInfinity;
         for (double veil = 0; veil <= 1; veil += 0.5)
         {
-            double cost = CostWithoutVeil(colour, shape, light, veil, least, out double part);
+            double cost = CostWithoutVeil(colour, shape, light, veil, brilliance, least, out double part);
             if (cost < least)
                 (least, mixed) = (cost, part);
         }
@@ -109,10 +126,11 @@ public sealed class PatchTable
 
     // How much blur mixes in costs by itself: from where that alone is more than the least on, nothing is left to try.
     private static double CostWithoutVeil(
-        PatchColour colour, in PatchShape shape, PictureLight light, double veil, double least, out double mixed)
+        PatchColour colour, in PatchShape shape, PictureLight light, double veil, double brilliance, double least,
+        out double mixed)
     {
         mixed = 0;
-        double usual = 0.1 + (1 / Math.Sqrt(shape.Area));
+        double usual = UsuallyMixed(shape);
         (double red, double green, double blue) = light.Unveil(shape.Red, shape.Green, shape.Blue, veil);
         (double groundRed, double groundGreen, double groundBlue) =
             light.Unveil(shape.GroundRed, shape.GroundGreen, shape.GroundBlue, veil);
@@ -121,13 +139,15 @@ public sealed class PatchTable
             double cost = colour.Cost(
                 Math.Max(0, red - (part * groundRed)),
                 Math.Max(0, green - (part * groundGreen)),
-                Math.Max(0, blue - (part * groundBlue))) + (part / usual * (part / usual));
+                Math.Max(0, blue - (part * groundBlue)), brilliance) + (part / usual * (part / usual));
             if (cost < least)
                 (least, mixed) = (cost, part);
         }
 
         return least;
     }
+
+    private static double UsuallyMixed(in PatchShape shape) => 0.1 + (1 / Math.Sqrt(shape.Area));
 
     private static double Middle(int index) => ((index & ((1 << Bits) - 1)) << (8 - Bits)) + 3.5;
 
@@ -145,7 +165,7 @@ public sealed class PatchTable
         double least = double.PositiveInfinity;
         for (int i = 0; i < _colours.Length; i++)
         {
-            double cost = _colours[i].IsNeutral ? least : _colours[i].Cost(red, green, blue);
+            double cost = _colours[i].IsNeutral ? least : _colours[i].Cost(red, green, blue, brilliance: 1);
             if (cost < least)
                 (best, least) = (i, cost);
         }

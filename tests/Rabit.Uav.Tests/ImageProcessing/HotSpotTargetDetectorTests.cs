@@ -163,10 +163,9 @@ public sealed class HotSpotTargetDetectorTests(ITestOutputHelper output)
         Assert.Equal(HotSpotTargetDetector.NoThermalPicture, _detector.Detect(colour, _found).Refusal);
         var thermal = new DetectorInput(
             new byte[200], 10, 10, TargetClass.Defaults, PictureGroundScale.Uniform(0.1), PixelFormat.Grey16);
-        ITargetDetector[] others =
-            [new ColourTargetDetector(TargetClass.Defaults), new ShapeTargetDetector(TargetClass.Defaults)];
-        Assert.All(others, d => Assert.Equal(
-            DetectorResult.NoColourPicture, d.Detect(thermal, new TargetDetection[4]).Refusal));
+        Assert.Equal(
+            DetectorResult.NoColourPicture,
+            new ShapeTargetDetector(TargetClass.Defaults).Detect(thermal, new TargetDetection[4]).Refusal);
     }
 
     [Fact]

@@ -182,7 +182,6 @@ public sealed class ImagingServiceTests
                 new TargetClass("red") { MinSideMetres = 2 },
                 new TargetClass("red") { Colour = new ColourRange(205, 28, 32) }
             ],
-            ColourDetector = new ColourDetectorOptions { MaxAspect = 1, MinSidePixels = 3 },
             DetectorTimeBudget = TimeSpan.Zero,
             MaxReportsPerPicture = 0,
             MinDepression = Angle.Zero,
@@ -198,7 +197,7 @@ public sealed class ImagingServiceTests
         foreach (string name in new[]
         {
             "Camera does not say", "MinSideMetres of target class red is 2", "red is declared twice",
-            "red has no colour", "DetectorTimeBudget", "MaxAspect is 1", "MinSidePixels is 3",
+            "red has no colour", "DetectorTimeBudget", 
             "MaxReportsPerPicture is 0",
             "MinDepression is 0", "PoseTimeout", "MaxPoseGap", "FramesWaiting is 0", "ImageChipSide is 0",
             "misalignment", "ErrorBudget.PixelNoise is -1", "ErrorBudget.PositionBiasMetres is NaN",

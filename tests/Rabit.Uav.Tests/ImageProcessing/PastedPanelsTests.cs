@@ -38,10 +38,6 @@ public sealed class PastedPanelsTests(ITestOutputHelper output)
     public void Detect_ByForm_FindsPanelsInEachLight()
         => CountAll(new ShapeTargetDetector(TargetClass.Defaults), maxOthers: 1);
 
-    [RealPicturesFact("background")]
-    public void Detect_ByColour_FindsPanelsInEachLight()
-        => CountAll(new ColourTargetDetector(TargetClass.Defaults), maxOthers: 7);
-
     // What was found besides, in 30 crops, is limited by what was measured.
     private void CountAll(ITargetDetector detector, int maxOthers)
     {

@@ -34,21 +34,9 @@ public sealed class VisionBenchTests : IDisposable
     [Fact]
     public void Run_OnATerminal_ShowsABarAndTakesItAway()
     {
-        (_, _, string errors) = Run(true, Stills, "--detector", "squares");
+        (_, _, string errors) = Run(true, Stills);
         Assert.Contains("\rstills [==============================] 12 of 12", errors, StringComparison.Ordinal);
         Assert.Equal("", errors.Split('\r').Last());
-    }
-
-    [Fact]
-    public void Run_DefaultDetector_IsThatOfTheClassesOfTheSets()
-    {
-        (int exit, string output, string errors) = Run(false, Stills, "--detector", "default");
-        Assert.Equal((0, ""), (exit, errors));
-        Assert.StartsWith("stills, 12 frames", output, StringComparison.Ordinal);
-
-        // Squares know no vehicles, and forms find the person.
-        Assert.Matches("vehicles found +[1-9]", output);
-        Assert.Matches("persons found +0/1", output);
     }
 
     [Theory]

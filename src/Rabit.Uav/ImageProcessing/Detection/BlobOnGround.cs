@@ -20,9 +20,6 @@ internal static class BlobOnGround
     private static readonly Angle MinSigma = Angle.FromDegrees(0.3);
     private static readonly Angle MaxSigma = Angle.FromDegrees(12);
 
-    /// <summary>Side of a square of its area on the ground, metres.</summary>
-    public static double SideMetres(in BlobShape blob, in GroundScale scale) => Math.Sqrt(blob.Area * scale.PixelArea);
-
     /// <summary>Standard deviations on the ground along its long and its short axis, metres.</summary>
     public static (double Long, double Short) SpreadMetres(in BlobShape blob, in GroundScale scale)
     {

@@ -11,10 +11,8 @@ namespace Rabit.Uav.ImageProcessing;
 /// has a detector of its own, which runs where one of its classes is wanted; a picture that one of them cannot search
 /// is not searched. What a detector finds within what one before it has found is a part of that: the red half of a
 /// panel in red and white is no red panel. And what is of the colour of a much larger thing around it is a part of
-/// that: the roof of a blue car is no blue panel. What is clearly likelier the coloured part of a form than a panel of
-/// that colour is no panel: the jacket of a person. A form beside which the other colour of a panel of two lies is half
-/// of that panel. What the border of the picture cuts is left out: a camera in flight
-/// sees it whole a moment later, and it may be a part of anything that is larger.
+/// that: the roof of a black car is no black panel. A form beside which the other colour of a panel of two lies is half
+/// of that panel.
 /// </summary>
 /// <param name="parts">Those that know a thing best come first.</param>
 internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts) : ITargetDetector
@@ -25,9 +23,6 @@ internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts)
 
     // Of colours, the edge of what still counts as the same.
     private const double MinCloseness = 0.6;
-
-    // Of scores. In simulated flights a jacket is that of a person by 0.31 and more, a panel by 0.03 at most.
-    private const double ClearlyLikelier = 0.15;
 
     private readonly PanelHalf _half = new();
     private readonly TargetClass[] _twoColours =
@@ -57,7 +52,7 @@ internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts)
 
         for (int i = 0; i < _keptCount; i++)
         {
-            if (_classOfKept[i] is not null && !_kept[i].IsCut)
+            if (_classOfKept[i] is not null)
                 DetectionOrder.Insert(_kept[i], detections, ref count, ref dropped);
         }
 
@@ -89,7 +84,7 @@ internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts)
             ref readonly TargetDetection found = ref _found[i];
             if (part.Find(found.Class) is not { } target || IsPart(found, target, before))
                 continue;
-            if (target.IsShaped && TryCompletePanel(input, found, target))
+            if (target is { Colour: not null, SecondColour: null } && TryCompletePanel(input, found, target))
                 continue;
             for (int other = 0; other < before; other++)
             {
@@ -150,7 +145,7 @@ internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts)
         => smallClass.SecondColour is null && largeClass.SecondColour is null
             && smallClass.Colour is { } one && largeClass.Colour is { } other && AreAlike(one, other)
             && IsWithin(small, large)
-            && (IsMuchLarger(large, small) || (largeClass.IsShaped && large.Score > small.Score + ClearlyLikelier));
+            && IsMuchLarger(large, small);
 
     // The box around a thing says little of it: a thread of ground that is joined to it makes that twice as large.
     private static bool IsMuchLarger(in TargetDetection large, in TargetDetection small)

@@ -25,6 +25,12 @@ internal sealed class DetectorRunner(ITargetDetector detector, TimeSpan budget, 
 
     public long Refused { get; private set; }
 
+    /// <summary>
+    /// Detections that were left out since the border of the picture cuts them: a camera in flight sees them whole a
+    /// moment later, and each may be a part of anything that is larger.
+    /// </summary>
+    public long Cut { get; private set; }
+
     public long Overruns { get; private set; }
 
     public string? LastFault { get; private set; }
@@ -70,6 +76,12 @@ internal sealed class DetectorRunner(ITargetDetector detector, TimeSpan budget, 
             {
                 Refused++;
                 LastFault = fault;
+                continue;
+            }
+
+            if (_found[i].IsCut)
+            {
+                Cut++;
                 continue;
             }
 

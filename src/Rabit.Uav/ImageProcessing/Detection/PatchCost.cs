@@ -32,6 +32,14 @@ internal static class PatchCost
     private const double ThinGain = 0.35;
     private const double MaxAspectOfThin = 4;
 
+    /// <summary>Of a class that has less of its colour most is of other colours.</summary>
+    public const double MostlyOther = 0.5;
+
+    // Of the pixels around. Beside a jacket in flights 0.2 and more, beside a panel on grass up to 0.1.
+    private const double MinOther = 8.5;
+    private const double MaxOther = 9;
+    private const double OtherSigma = 2;
+
     // A filled rectangle of area A has sigma_long * sigma_short = A / 12.
     private const double RectangleFactor = 12;
 
@@ -81,6 +89,15 @@ internal static class PatchCost
         cost += Square(Math.Max(0, 75 + (20 * Large(root)) - shape.Contrast) / 17);
         return cost;
     }
+
+    /// <summary>
+    /// How unlike the surroundings are to those of a target of a class: what shows its colour by less than half has
+    /// its other parts beside that, and what has one colour alone has the ground there.
+    /// </summary>
+    public static double OfSurroundings(in PatchShape shape, TargetClass target)
+        => target.MinColourShare < MostlyOther ? Square(Math.Max(0, MinOther - shape.OtherBeside) / OtherSigma)
+            : target.MinColourShare == 1 ? Square(Math.Max(0, shape.OtherBeside - MaxOther) / OtherSigma)
+            : 0;
 
     private static double ColourWeight(double root, double aspect)
     {

@@ -7,6 +7,9 @@ namespace Rabit.Uav.ImageProcessing;
 /// <summary>A colour that targets are searched for in, and how large those of all its classes may be.</summary>
 internal sealed class SearchedColour(ColourRange colour)
 {
+    private bool _hasWhole;
+    private bool _hasPart;
+
     public ColourRange Colour { get; } = colour;
 
     public double MinSideMetres { get; private set; } = double.PositiveInfinity;
@@ -19,6 +22,11 @@ internal sealed class SearchedColour(ColourRange colour)
     /// <summary>Whether a target of it may have parts of another colour between those of this one.</summary>
     public bool HasParts { get; private set; }
 
+    /// <summary>
+    /// Whether it is the one colour of a class, and that of a small part of another one, as of the jacket of a person.
+    /// </summary>
+    public bool IsSharedWithPart => _hasWhole && _hasPart;
+
     public bool IsSame(ColourRange other)
         => Colour.Red == other.Red && Colour.Green == other.Green && Colour.Blue == other.Blue;
 
@@ -27,6 +35,8 @@ internal sealed class SearchedColour(ColourRange colour)
         MinSideMetres = Math.Min(MinSideMetres, target.MinSideMetres);
         MaxSideMetres = Math.Max(MaxSideMetres, target.MaxSideMetres);
         MaxSpanMetres = Math.Max(MaxSpanMetres, target.MaxSideMetres * Math.Sqrt(target.MaxAspect));
+        _hasWhole |= target.MinColourShare == 1;
+        _hasPart |= target.MinColourShare < PatchCost.MostlyOther;
         HasParts |= target.MinColourShare < 1;
     }
 }

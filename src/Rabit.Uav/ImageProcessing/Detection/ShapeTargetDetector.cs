@@ -10,14 +10,15 @@ using Rabit.Vision;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// A detector for targets of any declared colour, size and form: panels, white ones among them, cars with their
+/// The default detector for classes of one colour, of any size and form: panels, white ones among them, cars with their
 /// windows, lying persons; also small, pale, shaded, overexposed and partly hidden ones, and such that the border of
 /// the picture cuts. Pixels of a colour are joined to patches, each is measured below the size of a pixel against the
 /// ground around it, and compared with every class of its colour, in metres. Fixed memory, no allocation after the
 /// first picture; one thread at a time.
 /// </summary>
 /// <example>
-/// White panels and red cars, beside those that are the default:
+/// White panels and red cars beside the default classes, in a picture of 640 x 480 from 40 m above, without the rest of
+/// Image Processing:
 /// <code>
 /// ImmutableArray&lt;TargetClass&gt; classes =
 /// [
@@ -29,18 +30,21 @@ namespace Rabit.Uav.ImageProcessing;
 ///         MinAspect = 1.7, MaxAspect = 2.8, MinColourShare = 0.7,
 ///     },
 /// ];
-/// var imaging = new ImageProcessingOptions
-/// {
-///     Camera = camera,
-///     TargetClasses = classes,
-///     Detector = new ShapeTargetDetector(classes),
-/// };
+/// var detector = new ShapeTargetDetector(classes);
+/// var found = new TargetDetection[16];
+/// var input = new DetectorInput(pixels, 640, 480, classes, PictureGroundScale.Uniform(0.075));
+/// int count = detector.Detect(input, found).Count;
 /// </code>
 /// </example>
 public sealed class ShapeTargetDetector : ITargetDetector
 {
     /// <summary>How many classes it can distinguish.</summary>
     public const int MaxClasses = 64;
+
+    internal const string TooManySpots = "the picture shows too many coloured spots to be searched";
+
+    /// <summary>Side of the smallest panel that it finds, pixels.</summary>
+    internal const double MinSidePixels = 4;
 
     private const int MaxViable = 2048;
 
@@ -114,11 +118,6 @@ public sealed class ShapeTargetDetector : ITargetDetector
         _table = new PatchTable(colours.Select(c => c.Colour).ToArray());
     }
 
-    /// <summary>
-    /// Whether what the border of the picture cuts is left out, as <see cref="CombinedTargetDetector"/> does.
-    /// </summary>
-    internal bool LeavesOutCut { get; set; }
-
     /// <inheritdoc/>
     public DetectorResult Detect(in DetectorInput input, Span<TargetDetection> detections)
     {
@@ -127,10 +126,10 @@ public sealed class ShapeTargetDetector : ITargetDetector
         byte[] pixels = ArrayOf(input.Pixels);
         _light.Measure(pixels, input.Width, input.Height);
         if (!_finder.TryFind(pixels, input.Width, input.Height, _table, _light))
-            return DetectorResult.NotSearched(ColourTargetDetector.TooManySpots);
+            return DetectorResult.NotSearched(TooManySpots);
         int count = KeepViable(input);
         if (count == MaxViable)
-            return DetectorResult.NotSearched(ColourTargetDetector.TooManySpots);
+            return DetectorResult.NotSearched(TooManySpots);
         _measure.SetPicture(pixels, input.Width, input.Height, _finder, _light);
         _candidates.Clear();
         _white.Clear(_light.Level);
@@ -148,6 +147,13 @@ public sealed class ShapeTargetDetector : ITargetDetector
             yield return $"there are {classes.Length} target classes; the shape detector takes at most {MaxClasses}";
         foreach (TargetClass targetClass in classes.Where(c => c is not null && c.Colour is null))
             yield return $"target class {targetClass.Name} has no colour, which the shape detector needs";
+        ColourRange[] colours =
+        [
+            .. classes.Select(c => c?.Colour).OfType<ColourRange>().GroupBy(c => (c.Red, c.Green, c.Blue))
+                .Select(same => same.First()),
+        ];
+        if (PatchTable.FindFault(colours) is { } fault)
+            yield return fault + ": " + string.Join(", ", classes.Where(c => c?.Colour is not null).Select(c => c.Name));
     }
 
     // What costs least comes first: a meadow may have thousands of coloured spots.
@@ -221,10 +227,14 @@ public sealed class ShapeTargetDetector : ITargetDetector
             if (_colourOf[i] != best.Colour)
                 continue;
             double cost = PatchCost.Of(shape, scale, _classes[i], likeness, out double side, out double ofColour);
+            if (_colours[best.Colour].IsSharedWithPart)
+                cost += PatchCost.OfSurroundings(shape, _classes[i]);
             if (cost < best.Cost)
                 (best.Cost, best.ColourCost, best.Class, best.SideMetres) = (cost, ofColour, i, side);
         }
 
+        best.IsMostlyOther = best.Cost <= PatchCandidates.MaxCost
+            && _classes[best.Class].MinColourShare < PatchCost.MostlyOther;
         if (best.Cost <= PatchCandidates.MaxCost)
             _measure.CorrectCentre(ref best.Shape);
         if (best.IsWhite)
@@ -243,8 +253,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
         {
             ref readonly PatchCandidate candidate = ref _candidates[rank];
             if (_candidates.IsPiece(candidate) || !_candidates.TryChoose(rank)
-                || !IsWanted(_classes[candidate.Class], input.Classes)
-                || (LeavesOutCut && IsCut(candidate, input)))
+                || !IsWanted(_classes[candidate.Class], input.Classes))
                 continue;
             if (count == detections.Length)
                 dropped++;

@@ -41,6 +41,9 @@ public struct TargetDetection
     /// <summary>How uncertain the centre is; must be positive definite.</summary>
     public PixelCovariance Covariance { get; set; }
 
-    /// <summary>Whether the border of the picture may cut a part of it off; of forms only.</summary>
-    internal bool IsCut { get; set; }
+    /// <summary>
+    /// Whether the border of the picture may cut a part of it off. Image Processing does not report such a one: it may
+    /// be a part of anything that is larger, and the next pictures show it whole.
+    /// </summary>
+    public bool IsCut { get; set; }
 }
