@@ -17,11 +17,14 @@ internal sealed class PatchColour
     private const double SaturationSigma = 0.11;
     private const double FullSaturation = 0.92;
 
-    // Light of usual ground. What has less of its light in its colour than this part of the nominal one is dull.
+    // Light of usual ground, and of the darkest. What has less light in its colour than this part of the nominal one
+    // is dull.
     private const double LightOfGround = 0.16;
     private const double LeastLight = 0.01;
     private const double FullBrilliance = 0.8;
     private const double MinBrilliance = 0.5;
+
+    // Pixels: from where on that counts, and from where on fully.
     private const double SmallSide = 7;
     private const double LargeSide = 11;
 
@@ -93,11 +96,11 @@ internal sealed class PatchColour
     }
 
     /// <summary>
-    /// How much of its light is in its colour, as a part of the nominal one, against the ground around it or in all of
-    /// the picture: haze takes saturation, but not that, and shade takes it from the ground too. A dull surface has
-    /// little of both. From 0.5 to 1; what has more counts as 1.
+    /// How much of its light is in its colour against the ground around it, as a part of the nominal one: haze takes
+    /// saturation, but not that, and shade takes it from the ground too. A dull surface has little of both. From 0.5
+    /// to 1; what has more, and what is so small that the ground is mixed into it, counts as 1.
     /// </summary>
-    public double Brilliance(in PatchShape shape, double level, double mixed)
+    public double Brilliance(in PatchShape shape, double mixed)
     {
         double ground = Math.Max(shape.GroundRed, Math.Max(shape.GroundGreen, shape.GroundBlue));
         double around = Math.Max(LeastLight, LinearLight.Of(ground));

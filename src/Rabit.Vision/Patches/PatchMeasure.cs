@@ -17,7 +17,10 @@ public sealed class PatchMeasure
     // Ground that is a little like the colour is no part of the patch.
     private const double MinCoverage = 0.15;
 
-    // Of the surroundings, by their direction.
+    // What is so near of the way from the ground to the colour of the patch is more like that.
+    private const double LikePatch = 0.5;
+
+    // Directions around a patch.
     private const int Sectors = 16;
     private const int FewOfSector = 3;
     private const double TangentOfEighth = 0.41421356;
@@ -26,13 +29,13 @@ public sealed class PatchMeasure
     private readonly BitGrid _half = new();   // what is covered by half and more
     private readonly PatchSamples _samples;
     private readonly GroundSlope _slope;
+    private readonly MeanColour[] _sectors = new MeanColour[Sectors];
     private float[] _coverage = [];
     private byte[] _pixels = [];
     private PatchFinder? _finder;
     private PictureLight? _light;
     private MeanColour _ground;
     private MeanColour _inside;
-    private readonly MeanColour[] _sectors = new MeanColour[Sectors];
     private bool _isLookedAt;
 
     /// <summary>Makes one; it measures once a picture is set.</summary>
@@ -107,6 +110,21 @@ public sealed class PatchMeasure
     /// </summary>
     /// <param name="shape">What <see cref="TryMeasure"/> gave.</param>
     public void CorrectCentre(ref PatchShape shape) => _slope.Correct(_coverage, MinCoverage, ref shape);
+
+    /// <summary>Adds to what was measured last what lies around it (<see cref="PatchShape.OtherBeside"/>).</summary>
+    /// <param name="shape">What <see cref="TryMeasure"/> gave.</param>
+    public void MeasureSurroundings(ref PatchShape shape)
+    {
+        SumSectors(shape);
+        double least = 1;
+        foreach (ref readonly MeanColour sector in _sectors.AsSpan())
+        {
+            if (sector.Count >= FewOfSector)
+                least = Math.Min(least, sector.CosineTo(_ground));
+        }
+
+        shape.OtherBeside = Math.Acos(Math.Max(-1, least)) * 180 / Math.PI;
+    }
 
     private (double Red, double Green, double Blue) Corrected(in MeanColour colour)
         => (colour.Red * _light!.RedGain, colour.Green, colour.Blue * _light.BlueGain);
@@ -213,7 +231,6 @@ public sealed class PatchMeasure
     private void JudgeGround(ref PatchShape shape)
     {
         (int like, int around, double noise) = (0, 0, 0);
-        Array.Clear(_sectors, 0, Sectors);
         for (int row = 0; row < _map.Rows; row++)
         {
             for (int word = 0; word < _map.Ground.Words; word++)
@@ -223,22 +240,19 @@ public sealed class PatchMeasure
                     int column = (64 * word) + BitOperations.TrailingZeroCount(bits);
                     double part = _coverage[(row * _map.Columns) + column];
                     around++;
-                    if (part > 0.5)
+                    if (part > LikePatch)
                         like++;
                     double off = Math.Min(1, Math.Abs(part));
                     noise += off * off;
-                    if (part < 0.5)
-                        _sectors[SectorOf(_map.Left + column - shape.CentreX, _map.Top + row - shape.CentreY)]
-                            .AddHue(_pixels, _map.PixelAt(column, row));
                 }
             }
         }
 
         shape.Continuation = around == 0 ? 0 : (double)like / around;
-        shape.OtherBeside = FurthestHueOfSectors();
         shape.GroundNoise = around == 0 ? 0 : Math.Sqrt(noise / around);
     }
 
+    // By halves, quarters and so on: the sign of each axis, which is longer, and whether both are about equal.
     private static int SectorOf(double across, double down)
     {
         (double x, double y) = (Math.Abs(across), Math.Abs(down));
@@ -246,17 +260,24 @@ public sealed class PatchMeasure
             + (Math.Min(x, y) > TangentOfEighth * Math.Max(x, y) ? 1 : 0);
     }
 
-    // Of the means of all directions, degrees.
-    private double FurthestHueOfSectors()
+    private void SumSectors(in PatchShape shape)
     {
-        double least = 1;
-        foreach (ref readonly MeanColour sector in _sectors.AsSpan())
+        Array.Clear(_sectors, 0, Sectors);
+        for (int row = 0; row < _map.Rows; row++)
         {
-            if (sector.Count >= FewOfSector)
-                least = Math.Min(least, sector.CosineTo(_ground));
+            for (int word = 0; word < _map.Ground.Words; word++)
+            {
+                for (ulong bits = _map.Ground[row, word]; bits != 0; bits &= bits - 1)
+                {
+                    int column = (64 * word) + BitOperations.TrailingZeroCount(bits);
+                    if (_coverage[(row * _map.Columns) + column] < LikePatch)
+                    {
+                        _sectors[SectorOf(_map.Left + column - shape.CentreX, _map.Top + row - shape.CentreY)]
+                            .AddHue(_pixels, _map.PixelAt(column, row));
+                    }
+                }
+            }
         }
-
-        return Math.Acos(least) * 180 / Math.PI;
     }
 
     // Sides of pixels of the patch with one beyond that is none. The outermost rows of the map have no pixel of it.

@@ -61,8 +61,9 @@ public struct PatchShape
     public double GroundNoise { get; set; }
 
     /// <summary>
-    /// The part of its surroundings that is neither like it nor like the ground, 0 to 1: what else may belong to it, as
-    /// the trousers below a jacket.
+    /// How far the hue of what lies beside it in one direction is from that of the ground around, degrees between the
+    /// two colours as vectors: what else may belong to it, as the trousers below a jacket. 0 until
+    /// <see cref="PatchMeasure.MeasureSurroundings"/>.
     /// </summary>
     public double OtherBeside { get; set; }
 

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Immutable;
-using System.Linq;
 using Rabit.Tests.Shared;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
@@ -10,8 +9,8 @@ using Xunit;
 namespace Rabit.Uav.Tests.ImageProcessing;
 
 /// <summary>
-/// The contract with classes of several kinds. Red is found by its form, and there is a panel of it and yellow: of each
-/// red form it is asked whether it is half of one.
+/// The contract with classes of several kinds. There is a panel of red and yellow: of each form of one of these it is
+/// asked whether it is half of one.
 /// </summary>
 public sealed class CombinedTargetDetectorContractTests : TargetDetectorContract
 {
@@ -20,8 +19,7 @@ public sealed class CombinedTargetDetectorContractTests : TargetDetectorContract
 
     private static readonly ImmutableArray<TargetClass> Classes =
     [
-        .. TargetClass.Defaults.Where(c => c.Name != DefaultTargetClasses.Red),
-        new(DefaultTargetClasses.Red.ToString()) { Colour = new ColourRange(205, 28, 32), MinColourShare = 0.7 },
+        .. TargetClass.Defaults,
         Half,
         new("pad") { Marker = new TargetMarker(MarkerFamily.ArUco4x4), MinSideMetres = 0.5, MaxSideMetres = 3 },
     ];

@@ -97,6 +97,30 @@ public sealed class CombinedTargetDetectorTests
         Assert.Equal(["person", "red"], ClassesOf(Search(picture, classes, classes)));
     }
 
+    /// <summary>The same red square alone on grass is a panel, and with trousers beside it a jacket.</summary>
+    [Theory]
+    [InlineData(false, "red")]
+    [InlineData(true, "person")]
+    public void Detect_WhatMayBeAJacketOrAPanel_IsByWhatLiesBesideIt(bool hasTrousers, string expected)
+    {
+        ImmutableArray<TargetClass> classes = [.. TargetClass.Defaults, Person];
+        foreach (double angle in new[] { 0, 0.4, 0.9, 2.5 })
+        {
+            var painting = new Painting(14);
+            double side = 0.75 / MetresPerPixel;
+            if (hasTrousers)
+            {
+                double down = side / 2 + (0.4 / MetresPerPixel);
+                painting.Rectangle(
+                    Glass, 200 - (down * Math.Sin(angle)), 150 + (down * Math.Cos(angle)), 0.45 / MetresPerPixel,
+                    0.8 / MetresPerPixel, angle);
+            }
+
+            painting.Rectangle(Red, 200, 150, side, side, angle);
+            Assert.Equal([expected], ClassesOf(Search(painting.Finish(), classes, classes)));
+        }
+    }
+
     [Theory]
     [InlineData(200, 1)]
     [InlineData(3, 0)]   // only the end of it is in the picture
@@ -178,6 +202,45 @@ public sealed class CombinedTargetDetectorTests
 
             Assert.Equal(["person"], ClassesOf(Search(painting.Finish(), classes, classes)));
         }
+    }
+
+    /// <summary>The form detector knows one white: beside a silver car a white panel is found as a panel.</summary>
+    [Fact]
+    public void Detect_WhitePanelBesideASilverCar_IsFound()
+    {
+        TargetClass white = new("white") { Colour = new ColourRange(236, 236, 232) };
+        TargetClass silver = new("silver car")
+        {
+            Colour = new ColourRange(168, 172, 176),
+            MinSideMetres = 2.3,
+            MaxSideMetres = 3.6,
+            MinAspect = 1.7,
+            MaxAspect = 3.2,
+            MinColourShare = 0.65,
+        };
+        var painting = new Painting(15);
+        painting.Rectangle(White, 200, 150, 13, 13, 0.3);
+        byte[] picture = painting.Finish();
+
+        foreach (ImmutableArray<TargetClass> classes in (ImmutableArray<TargetClass>[])[[white], [white, silver]])
+            Assert.Equal(["white"], ClassesOf(Search(picture, classes, classes)));
+    }
+
+    [Fact]
+    public void Constructor_TwoWhitesAmongTheForms_IsRefusedByName()
+    {
+        TargetClass Car(string name, byte level) => new(name)
+        {
+            Colour = new ColourRange(level, level, level),
+            MinSideMetres = 2.3,
+            MaxSideMetres = 3.6,
+            MinColourShare = 0.65,
+        };
+
+        var options = new ImageProcessingOptions { TargetClasses = [Car("white car", 240), Car("silver car", 170)] };
+        string text = Assert.Throws<InvalidOperationException>(() => options.CreateDetector()).Message;
+        Assert.Contains("two whites or light greys", text, StringComparison.Ordinal);
+        Assert.Contains("white car, silver car", text, StringComparison.Ordinal);
     }
 
     [Fact]

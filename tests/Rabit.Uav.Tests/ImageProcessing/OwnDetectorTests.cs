@@ -116,6 +116,24 @@ public sealed class OwnDetectorTests
     }
 
     [Fact]
+    public void Detection_CutByTheBorder_IsNotReportedButCounted()
+    {
+        var detector = new ScriptedDetector((_, found) =>
+        {
+            (found[0], found[1]) = (Detection() with { IsCut = true }, Detection());
+            return DetectorResult.Found(2);
+        });
+        using var rig = new ImagingRig(new ScriptedCamera(ImagingRig.Grass), Options(detector));
+        rig.Order(ImagingMode.Search);
+        Fly(rig, pictures: 1);
+
+        Assert.Equal(
+            (1L, 1L, 0L, 0L),
+            (rig.Status.DetectionsCut, rig.Status.Reports, rig.Status.ReportsDropped, rig.Status.DetectionsRefused));
+        Assert.Equal(0, Assert.Single(rig.Sink.Reports).Index);
+    }
+
+    [Fact]
     public void Detection_MoreUncertain_ItsReportIsToo()
     {
         HorizontalCovariance At(PixelCovariance pixels)

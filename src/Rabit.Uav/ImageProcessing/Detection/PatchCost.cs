@@ -35,7 +35,7 @@ internal static class PatchCost
     /// <summary>Of a class that has less of its colour most is of other colours.</summary>
     public const double MostlyOther = 0.5;
 
-    // Of the pixels around. Beside a jacket in flights 0.2 and more, beside a panel on grass up to 0.1.
+    // Degrees of hue. In simulated flights 7 and more beside a jacket, and mostly below 6 beside a panel.
     private const double MinOther = 8.5;
     private const double MaxOther = 9;
     private const double OtherSigma = 2;

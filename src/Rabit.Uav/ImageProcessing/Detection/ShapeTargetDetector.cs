@@ -222,12 +222,15 @@ public sealed class ShapeTargetDetector : ITargetDetector
             IsNeutral = _table.IsNeutral(best.Colour),
             Mixed = mixed,
         };
+        bool isShared = _colours[best.Colour].IsSharedWithPart;
+        if (isShared)
+            _measure.MeasureSurroundings(ref shape);
         for (int i = 0; i < _classes.Length; i++)
         {
             if (_colourOf[i] != best.Colour)
                 continue;
             double cost = PatchCost.Of(shape, scale, _classes[i], likeness, out double side, out double ofColour);
-            if (_colours[best.Colour].IsSharedWithPart)
+            if (isShared)
                 cost += PatchCost.OfSurroundings(shape, _classes[i]);
             if (cost < best.Cost)
                 (best.Cost, best.ColourCost, best.Class, best.SideMetres) = (cost, ofColour, i, side);
