@@ -104,7 +104,7 @@ public sealed class UavPartsTests
                 MissionRig.Text().TrimEnd().TrimEnd('}') + ", \"targetMotions\": {\"rde\": \"walking\"} }", "typo");
             o.Camera = new ScriptedCamera([]);
         } },
-        { "Image Processing: target class pad has no colour, which the colour detector needs", o =>
+        { "Image Processing: target class pad has no colour, which the shape detector needs", o =>
         {
             o.Mission = MissionPlan.Parse(
                 MissionRig.Text().TrimEnd().TrimEnd('}') + ", \"targetClasses\": {\"pad\": {}} }", "no colour");
@@ -155,7 +155,7 @@ public sealed class UavPartsTests
         string[] expected =
         [
             "OtherManagers is null", "A UAV needs at least one link", "SystemId is 0", "Communications: FramesWaiting",
-            "Autopilot Interface: HeartbeatTimeout is 00:00:00", "Image Processing: the mount, the errors",
+            "Autopilot Interface: HeartbeatTimeout is 00:00:00", "Image Processing: the mount and the errors",
             "Image Processing: FramesWaiting is 0", "Image Processing: there is no target class",
             "Sensor Fusion: MaxTracks is 0", "Mission Control: MaxGapPasses is 11",
             "Health Monitoring: StatusTextPeriod is 00:00:00",

@@ -68,8 +68,8 @@ public sealed class TargetClass
     public double MinColourShare { get; init; } = 1;
 
     /// <summary>
-    /// Its colour, which <see cref="ImageProcessing.ShapeTargetDetector"/> needs: what has the same one as another class
-    /// must differ in size or form. Other detectors may leave it null.
+    /// Its colour, which <see cref="ImageProcessing.ShapeTargetDetector"/> needs: what has the same one as another
+    /// class must differ in size or form. Other detectors may leave it null.
     /// </summary>
     public ColourRange? Colour { get; init; }
 

@@ -20,7 +20,7 @@ internal sealed class PatchColour
     // Light of usual ground, and of the darkest. What has less light in its colour than this part of the nominal one
     // is dull.
     private const double LightOfGround = 0.16;
-    private const double LeastLight = 0.01;
+    private const double MinLight = 0.01;
     private const double FullBrilliance = 0.8;
     private const double MinBrilliance = 0.5;
 
@@ -103,7 +103,7 @@ internal sealed class PatchColour
     public double Brilliance(in PatchShape shape, double mixed)
     {
         double ground = Math.Max(shape.GroundRed, Math.Max(shape.GroundGreen, shape.GroundBlue));
-        double around = Math.Max(LeastLight, LinearLight.Of(ground));
+        double around = Math.Max(MinLight, LinearLight.Of(ground));
         double part = ChromaLight(shape.Red, shape.Green, shape.Blue) / around / _brilliance / (1 - mixed);
         double dull = 1 - Clamp(part / FullBrilliance, MinBrilliance, 1);
         return 1 - (dull * Clamp((Math.Sqrt(shape.Area) - SmallSide) / (LargeSide - SmallSide), 0, 1));

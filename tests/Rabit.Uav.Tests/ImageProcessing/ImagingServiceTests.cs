@@ -197,7 +197,7 @@ public sealed class ImagingServiceTests
         foreach (string name in new[]
         {
             "Camera does not say", "MinSideMetres of target class red is 2", "red is declared twice",
-            "red has no colour", "DetectorTimeBudget", 
+            "red has no colour", "DetectorTimeBudget",
             "MaxReportsPerPicture is 0",
             "MinDepression is 0", "PoseTimeout", "MaxPoseGap", "FramesWaiting is 0", "ImageChipSide is 0",
             "misalignment", "ErrorBudget.PixelNoise is -1", "ErrorBudget.PositionBiasMetres is NaN",

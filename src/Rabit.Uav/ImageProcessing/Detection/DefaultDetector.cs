@@ -35,7 +35,8 @@ internal static class DefaultDetector
         => ShapeTargetDetector.FindColourFaults(FindForms([.. classes.Where(c => c is not null)]));
 
     private static void Add(
-        List<PartDetector> parts, ImmutableArray<TargetClass> own, Func<ImmutableArray<TargetClass>, ITargetDetector> make)
+        List<PartDetector> parts, ImmutableArray<TargetClass> own,
+        Func<ImmutableArray<TargetClass>, ITargetDetector> make)
     {
         if (!own.IsEmpty)
             parts.Add(new PartDetector(make(own), own));

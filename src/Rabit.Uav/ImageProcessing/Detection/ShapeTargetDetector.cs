@@ -153,7 +153,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
                 .Select(same => same.First()),
         ];
         if (PatchTable.FindFault(colours) is { } fault)
-            yield return fault + ": " + string.Join(", ", classes.Where(c => c?.Colour is not null).Select(c => c.Name));
+            yield return $"{fault}: {string.Join(", ", classes.Where(c => c?.Colour is not null).Select(c => c.Name))}";
     }
 
     // What costs least comes first: a meadow may have thousands of coloured spots.
