@@ -100,10 +100,10 @@ internal sealed class PatchColour
     /// saturation, but not that, and shade takes it from the ground too. A dull surface has little of both. From 0.5
     /// to 1; what has more, and what is so small that the ground is mixed into it, counts as 1.
     /// </summary>
-    public double Brilliance(in PatchShape shape, double mixed)
+    public double Brilliance(in PatchShape shape, double level, double mixed)
     {
         double ground = Math.Max(shape.GroundRed, Math.Max(shape.GroundGreen, shape.GroundBlue));
-        double around = Math.Max(MinLight, LinearLight.Of(ground));
+        double around = Math.Max(MinLight, LinearLight.Of(Math.Min(ground, level)));
         double part = ChromaLight(shape.Red, shape.Green, shape.Blue) / around / _brilliance / (1 - mixed);
         double dull = 1 - Clamp(part / FullBrilliance, MinBrilliance, 1);
         return 1 - (dull * Clamp((Math.Sqrt(shape.Area) - SmallSide) / (LargeSide - SmallSide), 0, 1));

@@ -30,6 +30,7 @@ public sealed class PatchMeasure
     private readonly PatchSamples _samples;
     private readonly GroundSlope _slope;
     private readonly MeanColour[] _sectors = new MeanColour[Sectors];
+    private PicturePoint[] _outline = [];
     private float[] _coverage = [];
     private byte[] _pixels = [];
     private PatchFinder? _finder;
@@ -124,6 +125,30 @@ public sealed class PatchMeasure
         }
 
         shape.OtherBeside = Math.Acos(Math.Max(-1, least)) * 180 / Math.PI;
+    }
+
+    /// <summary>The pixels at the edge of what was measured last, of which it covers half or more.</summary>
+    /// <returns>Columns and rows of the picture, until the next call.</returns>
+    public ReadOnlySpan<PicturePoint> FindOutline()
+    {
+        int count = 0;
+        for (int row = 1; row < _half.Rows - 1; row++)
+        {
+            for (int word = 0; word < _half.Words; word++)
+            {
+                ulong inner = _half.Beside(row, word, 1) & _half.Beside(row, word, -1)
+                    & _half[row - 1, word] & _half[row + 1, word];
+                for (ulong bits = _half[row, word] & ~inner; bits != 0; bits &= bits - 1)
+                {
+                    if (count == _outline.Length)
+                        Array.Resize(ref _outline, Math.Max(64, 2 * count));
+                    int column = (64 * word) + BitOperations.TrailingZeroCount(bits);
+                    _outline[count++] = new PicturePoint(_map.Left + column, _map.Top + row);
+                }
+            }
+        }
+
+        return _outline.AsSpan(0, count);
     }
 
     private (double Red, double Green, double Blue) Corrected(in MeanColour colour)

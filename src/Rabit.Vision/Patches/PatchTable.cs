@@ -94,7 +94,7 @@ public sealed class PatchTable
         PatchColour colour = _colours[index];
         if (colour.IsNeutral)
             return colour.NeutralCost(shape, light.Level);
-        double brilliance = colour.Brilliance(shape, UsuallyMixed(shape));
+        double brilliance = colour.Brilliance(shape, light.Level, UsuallyMixed(shape));
         double least = double.PositiveInfinity;
         for (double veil = 0; veil <= 1; veil += 0.5)
         {

@@ -76,12 +76,41 @@ public sealed class PatchBearingTests(ITestOutputHelper output)
         Assert.True(nees < 1.3 && sigmas.Max() < 3.5, $"seed {seed}: {nees}, {sigmas.Max()}");
     }
 
-    [Fact]
-    public void Detect_Square_HasNoDirection()
+    [Theory]
+    [InlineData(12)]
+    [InlineData(14)]
+    [InlineData(25)]
+    public void Detect_Square_KnowsTheDirectionOfItsSides(double pixels)
+    {
+        const int seed = 60;
+        var random = new Random(seed);
+        var sigmas = new List<double>();
+        for (int picture = 0; picture < 40; picture++)
+        {
+            double angle = Math.PI * random.NextDouble();
+            var painting = new Painting(seed + picture);
+            painting.Rectangle(
+                (28, 72, 205), 200 + random.NextDouble(), 200 + random.NextDouble(), pixels, pixels, angle);
+            Assert.Equal(1, Detect(painting.Finish(), 1 / pixels));
+            TargetBearing bearing = _found[0].Bearing!.Value;
+            Assert.Equal(BearingSymmetry.QuarterTurn, bearing.Symmetry);
+            sigmas.Add(bearing.DistanceTo(Angle.FromRadians((Math.PI / 2) + angle)).Degrees / bearing.Sigma.Degrees);
+        }
+
+        double nees = sigmas.Average(s => s * s);
+        output.WriteLine(FormattableString.Invariant($"seed {seed}, {pixels} px: NEES {nees:0.00}, {sigmas.Max():0.0}"));
+        Assert.True(nees < 1.3 && sigmas.Max() < 3.5, $"seed {seed}: {nees}, {sigmas.Max()}");
+    }
+
+    [Theory]
+    [InlineData(6, 6)]     // the raster has as much of a direction
+    [InlineData(14, 28)]   // round: many narrow ones around one centre
+    public void Detect_SmallOrRound_HasNoDirection(double pixels, int corners)
     {
         var painting = new Painting(5);
-        painting.Rectangle((28, 72, 205), 200, 200, 14, 14, 0.4);
-        Assert.Equal(1, Detect(painting.Finish(), 1.0 / 14));
+        for (int i = 0; i < corners; i++)
+            painting.Rectangle((28, 72, 205), 200, 200, pixels, pixels * (corners > 6 ? 0.1 : 1), Math.PI * i / corners);
+        Assert.Equal(1, Detect(painting.Finish(), 1 / pixels));
         Assert.Null(_found[0].Bearing);
     }
 

@@ -144,11 +144,25 @@ public sealed class TargetBearingTests(ITestOutputHelper output)
     [Fact]
     public void Report_DetectorMeasuresNone_HasNone()
     {
-        using ImagingRig rig = ImagingRig.Search(ImagingRig.Panel);
+        using ImagingRig rig = ImagingRig.Search(
+            ImagingRig.Panel, new ImageProcessingOptions { Detector = new WithoutBearings() });
         rig.AddPoses(0, 3);
         rig.Camera!.Add(0, 1, deliveredAt: 1.15);
         rig.Run(2);
         Assert.Null(Assert.Single(rig.Sink.Reports).Bearing);
+    }
+
+    private sealed class WithoutBearings : ITargetDetector
+    {
+        private readonly ShapeTargetDetector _detector = new(TargetClass.Defaults);
+
+        public DetectorResult Detect(in DetectorInput input, Span<TargetDetection> detections)
+        {
+            DetectorResult result = _detector.Detect(input, detections);
+            foreach (ref TargetDetection one in detections.Slice(0, result.Count))
+                one.Bearing = null;
+            return result;
+        }
     }
 
     private static TargetBearing Bearing(double degrees, BearingSymmetry symmetry)

@@ -1,3 +1,4 @@
+using Rabit.Uav.Messages;
 using Rabit.Vision;
 
 namespace Rabit.Uav.ImageProcessing;
@@ -31,6 +32,9 @@ internal struct PatchCandidate
 
     /// <summary>Side on the ground of a square of its area, metres.</summary>
     public double SideMetres;
+
+    /// <summary>Where it points; null where that was not measured.</summary>
+    public TargetBearing? Bearing;
 
     public PatchShape Shape;
 }

@@ -10,7 +10,7 @@ namespace Rabit.Uav.ImageProcessing;
 internal sealed class PatchCandidates
 {
     /// <summary>What costs more is no target.</summary>
-    public const double MaxCost = 11;
+    public const double MaxCost = 10.4;
 
     // What costs more is not even a reason against a part of it.
     private const double MaxKeptCost = 60;

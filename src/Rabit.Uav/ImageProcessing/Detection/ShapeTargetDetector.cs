@@ -80,6 +80,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
     private readonly PictureLight _light = new();
     private readonly PatchFinder _finder = new();
     private readonly PatchMeasure _measure = new();
+    private readonly PatchBearing _bearing = new();
     private readonly PatchGroups _groups = new();
     private readonly PatchCandidates _candidates = new();
     private readonly WhiteReference _white = new();
@@ -239,7 +240,11 @@ public sealed class ShapeTargetDetector : ITargetDetector
         best.IsMostlyOther = best.Cost <= PatchCandidates.MaxCost
             && _classes[best.Class].MinColourShare < PatchCost.MostlyOther;
         if (best.Cost <= PatchCandidates.MaxCost)
+        {
+            best.Bearing = _bearing.Of(shape, _classes[best.Class], scale, _measure);
             _measure.CorrectCentre(ref best.Shape);
+        }
+
         if (best.IsWhite)
             _white.Add(shape, best.Cost);
         _candidates.Add(best);
@@ -276,7 +281,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
         HeightPixels = candidate.Shape.Height,
         SideMetres = candidate.SideMetres,
         IsCut = IsCut(candidate, input),
-        Bearing = PatchBearing.Of(candidate.Shape, _classes[candidate.Class], input.GroundScale),
+        Bearing = candidate.Bearing,
         Score = 1 / (1 + Math.Exp((candidate.Cost - PatchCandidates.MaxCost) / CostScale)),
         Covariance = PatchCovariance.Of(candidate.Shape, _classes[candidate.Class].MinColourShare < 1),
     };
