@@ -25,6 +25,12 @@ internal static class RunningManager
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool Is(EndpointOwner owner) => owner.Mark.IsHere() || _current == owner;
 
+    /// <summary>
+    /// As <see cref="Is"/>, but false decides nothing where the stack can be marked: a look that calls nothing.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool IsSeenToBe(EndpointOwner owner) => StackMark.Exists ? owner.Mark.IsHere() : _current == owner;
+
     /// <summary>From now on this manager, or none, runs on this thread.</summary>
     /// <returns>The one that ran before it.</returns>
     public static EndpointOwner? Replace(EndpointOwner? owner)

@@ -15,6 +15,9 @@ namespace Rabit.Core.Managers;
 /// </remarks>
 internal readonly unsafe struct StackMark
 {
+    /// <summary>Whether the stack can be marked.</summary>
+    public const bool Exists = true;
+
     private const uint CoveredBytes = 32 * 1024;
 
     private readonly nuint _address;   // 0: none

@@ -6,6 +6,9 @@ namespace Rabit.Core.Managers;
 /// </summary>
 internal readonly struct StackMark
 {
+    /// <summary>Whether the stack can be marked.</summary>
+    public const bool Exists = false;
+
     public bool IsSet => false;
 
     public static StackMark At(ref StackMark local) => local;

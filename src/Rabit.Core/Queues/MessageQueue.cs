@@ -78,6 +78,7 @@ internal abstract class MessageQueue<T, TSync>(
     /// after a full fence (the two rings), or inside the lock in which the receiver pops (the locked queue): the three
     /// kinds say why.
     /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     protected static bool IsPending(WakeUpEvent<TSync> wakeUp, WakeUpCauses cause) => wakeUp.Has((int)cause);
 
     /// <summary>Wakes the senders that asked for it. After the pop, outside every lock.</summary>

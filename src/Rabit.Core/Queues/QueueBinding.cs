@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics.CodeAnalysis;
 using System.Linq;
 using System.Runtime.CompilerServices;
 using Rabit.Core.Diagnostics;
@@ -19,6 +20,9 @@ internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, st
 {
     // Who must run on the thread that uses this endpoint: null outside managers.
     private readonly EndpointOwner? _mustRun = owner.IsManager ? owner : null;
+
+    // The queue, once wired, unless it makes its senders wait.
+    private MessageQueue<T, SyncPoints>? _prompt;
 
     /// <summary>Stated by the receiver.</summary>
     public int Capacity { get; init; }
@@ -43,6 +47,17 @@ internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, st
     public T Held { get; private set; } = default!;
 
     public override bool IsWired => Queue is not null;
+
+    /// <summary>
+    /// The queue, where one glance shows that the owner may use it, and the queue never makes its senders wait. False
+    /// decides nothing: then <see cref="Use"/> does. So the hot path calls nothing, and keeps its values in registers.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool TryUse([NotNullWhen(true)] out MessageQueue<T, SyncPoints>? queue)
+    {
+        queue = _prompt;
+        return queue is not null && (_mustRun is null || RunningManager.IsSeenToBe(_mustRun));
+    }
 
     /// <summary>The queue, after the check that the owner may use it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -137,6 +152,7 @@ internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, st
     public override void Bind(IConnector connector, EndpointDeclaration? firstOfOwner)
     {
         Queue = (MessageQueue<T, SyncPoints>)connector;
+        _prompt = Queue.FullMode == QueueFullMode.Wait ? null : Queue;
         if (Role == EndpointRole.Send && Wakes && Owner.WakeUp is { } wakeUp)
             Queue.AddPopTarget(wakeUp);
     }

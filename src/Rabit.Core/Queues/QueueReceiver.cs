@@ -1,7 +1,9 @@
 using System;
 using System.Diagnostics.CodeAnalysis;
+using System.Runtime.CompilerServices;
 using System.Threading.Channels;
 using Rabit.Core.Queues;
+using Rabit.Core.WakeUp;
 
 namespace Rabit.Core;
 
@@ -46,7 +48,10 @@ public sealed class QueueReceiver<T>
     /// <param name="value">The value; default when there is none.</param>
     /// <returns>False when the queue is empty.</returns>
     /// <exception cref="InvalidOperationException">See <see cref="Count"/>.</exception>
-    public bool TryPop([MaybeNullWhen(false)] out T value) => _binding.Use().TryPop(out value);
+    public bool TryPop([MaybeNullWhen(false)] out T value)
+        => _binding.TryUse(out MessageQueue<T, SyncPoints>? queue)
+            ? queue.TryPop(out value)
+            : TryPopAfterCheck(out value);
 
     /// <summary>
     /// Takes values out, the oldest first, as many as there are and fit; wakes the senders that asked for it once.
@@ -55,7 +60,14 @@ public sealed class QueueReceiver<T>
     /// <param name="target">Where they go, from its beginning.</param>
     /// <returns>How many were taken out.</returns>
     /// <exception cref="InvalidOperationException">See <see cref="Count"/>.</exception>
-    public int PopInto(Span<T> target) => _binding.Use().PopInto(target);
+    public int PopInto(Span<T> target)
+        => _binding.TryUse(out MessageQueue<T, SyncPoints>? queue)
+            ? queue.PopInto(target)
+            : _binding.Use().PopInto(target);
+
+    // Not inlined, and the last thing that is done: the hot path saves no registers for it.
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private bool TryPopAfterCheck([MaybeNullWhen(false)] out T value) => _binding.Use().TryPop(out value);
 
     /// <summary>
     /// The endpoint as a channel, for async code outside managers. It completes when the run is over and everything was

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using System.Threading;
 using System.Threading.Channels;
 using System.Threading.Tasks;
@@ -47,12 +48,7 @@ public sealed class QueueSender<T>
     /// See <see cref="Counters"/>; or the queue is one that makes its senders wait.
     /// </exception>
     public PushResult Push(in T value)
-    {
-        MessageQueue<T, SyncPoints> queue = _binding.Use();
-        if (queue.FullMode == QueueFullMode.Wait)
-            ThrowMustWait();
-        return queue.Push(value);
-    }
+        => _binding.TryUse(out MessageQueue<T, SyncPoints>? queue) ? queue.Push(value) : PushAfterCheck(value);
 
     /// <summary>
     /// Puts values in, one after the other, and wakes the receiver once. With <see cref="QueueFullMode.Reject"/> those
@@ -63,12 +59,9 @@ public sealed class QueueSender<T>
     /// <returns>How many of them, from the first, were put in.</returns>
     /// <exception cref="InvalidOperationException">See <see cref="Push"/>.</exception>
     public int PushFrom(ReadOnlySpan<T> values)
-    {
-        MessageQueue<T, SyncPoints> queue = _binding.Use();
-        if (queue.FullMode == QueueFullMode.Wait)
-            ThrowMustWait();
-        return queue.PushFrom(values);
-    }
+        => _binding.TryUse(out MessageQueue<T, SyncPoints>? queue)
+            ? queue.PushFrom(values)
+            : UseToPush().PushFrom(values);
 
     /// <summary>Whether a value is held that the queue rejected; see <see cref="TryPushOrHold"/>.</summary>
     /// <exception cref="InvalidOperationException">See <see cref="Counters"/>.</exception>
@@ -168,7 +161,16 @@ public sealed class QueueSender<T>
         return new QueueChannelWriter<T>(_binding);
     }
 
-    private void ThrowMustWait()
-        => throw new InvalidOperationException(
-            $"Queue '{Name}' makes its senders wait: push into it with PushAsync, or through its channel.");
+    // Not inlined, and the last thing that is done: the hot path saves no registers for it.
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private PushResult PushAfterCheck(in T value) => UseToPush().Push(value);
+
+    private MessageQueue<T, SyncPoints> UseToPush()
+    {
+        MessageQueue<T, SyncPoints> queue = _binding.Use();
+        if (queue.FullMode == QueueFullMode.Wait)
+            throw new InvalidOperationException(
+                $"Queue '{Name}' makes its senders wait: push into it with PushAsync, or through its channel.");
+        return queue;
+    }
 }

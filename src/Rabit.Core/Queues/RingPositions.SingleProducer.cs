@@ -36,20 +36,28 @@ internal partial struct RingPositions
     private const long Settled = 1L << 32;
 
     /// <summary>
-    /// As <see cref="Reserve"/>: the places are the sender's until it moves the tail.
+    /// As <see cref="Reserve"/>: the places are the sender's, and nothing is in them until it has moved the tail and
+    /// written their sequences.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int Find<TSync>(int wanted, int capacity, out int position)
         where TSync : struct, ISyncPoints
+        => TryFind<TSync>(wanted, out position) ? wanted : FindSlow<TSync>(wanted, capacity, position);
+
+    /// <summary>
+    /// As <see cref="Find"/>, where there is room that needs no look at the head. False decides nothing.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool TryFind<TSync>(int wanted, out int position)
+        where TSync : struct, ISyncPoints
     {
         position = default(TSync).Read(ref _tail);
         return unchecked(position - default(TSync).Read(ref _seenHead) + wanted)
-            <= default(TSync).VolatileRead(ref _fastPathLimit)
-                ? wanted
-                : FindSlow<TSync>(wanted, capacity, position);
+            <= default(TSync).VolatileRead(ref _fastPathLimit);
     }
 
-    /// <summary>The sender has written values; it says next, in their slots, that they are there.</summary>
+
+    /// <summary>The sender has places for values; it says next, in their slots, when they are there.</summary>
     /// <param name="tail">Behind the last of them.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void MoveTail<TSync>(int tail)
@@ -66,7 +74,7 @@ internal partial struct RingPositions
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool AreInTime<TSync>(int tail, int count)
         where TSync : struct, ISyncPoints
-        => default(TSync).VolatileRead(ref _fastPathLimit) != Closed || IsInTime<TSync>(tail, count);
+        => !IsClosed<TSync>() || IsInTime<TSync>(tail, count);
 
     // In this order: a tail that was read while the queue was open is part of what will count.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -74,7 +82,7 @@ internal partial struct RingPositions
         where TSync : struct, ISyncPoints
     {
         int tail = default(TSync).VolatileRead(ref _tail);
-        return default(TSync).VolatileRead(ref _fastPathLimit) != Closed ? tail : LastTail<TSync>();
+        return IsClosed<TSync>() ? LastTail<TSync>() : tail;
     }
 
     // Once the queue is closed.
@@ -123,7 +131,7 @@ internal partial struct RingPositions
         int head = default(TSync).VolatileRead(ref _head);
         default(TSync).Write(ref _seenHead, head);   // the sender's alone: it needs no compare-and-swap
         int resident = unchecked(tail - head);
-        int count = IsClosed<TSync>() ? 0 : Math.Min(wanted, capacity - resident);
+        int count = HasLastMark<TSync>() ? 0 : Math.Min(wanted, capacity - resident);
         if (count < wanted)
             Interlocked.Add(ref _rejected, wanted - count);
         if (count > 0)

@@ -82,6 +82,9 @@ internal partial struct RingPositions
         _lastHighWater = -1;
     }
 
+    /// <summary>Whether there is a single producer.</summary>
+    public readonly bool IsAlone => _isAlone;
+
     /// <summary>How many slots hold so many values: a power of two.</summary>
     public static int SizeFor(int capacity)
     {
@@ -127,6 +130,12 @@ internal partial struct RingPositions
         where TSync : struct, ISyncPoints
         => default(TSync).Read(ref _head);
 
+    /// <summary>Whether the queue was closed; nothing opens it again.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool IsClosed<TSync>()
+        where TSync : struct, ISyncPoints
+        => default(TSync).VolatileRead(ref _fastPathLimit) == Closed;
+
     /// <summary>
     /// Whether a value that the receiver finds at a position is its to take: not one of a single producer that was
     /// rejected because the queue was closed meanwhile.
@@ -134,14 +143,15 @@ internal partial struct RingPositions
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Counts<TSync>(int position)
         where TSync : struct, ISyncPoints
-        => !_isAlone || default(TSync).VolatileRead(ref _fastPathLimit) != Closed || IsBeforeLastTail<TSync>(position);
+        => !_isAlone || !IsClosed<TSync>() || IsBeforeLastTail<TSync>(position);
 
     /// <summary>The receiver has taken values out and cleared their slots.</summary>
+    /// <param name="head">As it is.</param>
+    /// <param name="count">How many values.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void MoveHead<TSync>(int count)
+    public void MoveHead<TSync>(int head, int count)
         where TSync : struct, ISyncPoints
     {
-        int head = Head<TSync>();
         int next = unchecked(head + count);
         default(TSync).VolatileWrite(ref _head, next);
         if ((next ^ head) < 0)
@@ -211,7 +221,7 @@ internal partial struct RingPositions
 
             // After the tail, so it may be ahead of it; then the compare-and-swap fails.
             int resident = Math.Max(unchecked(tail - head), 0);
-            int count = IsClosed<TSync>() ? 0 : Math.Min(wanted, capacity - resident);
+            int count = HasLastMark<TSync>() ? 0 : Math.Min(wanted, capacity - resident);
             position = tail;
             if (count <= 0)
             {
@@ -240,7 +250,7 @@ internal partial struct RingPositions
         return head;
     }
 
-    private bool IsClosed<TSync>()
+    private bool HasLastMark<TSync>()
         where TSync : struct, ISyncPoints
         => default(TSync).VolatileRead(ref _lastHighWater) >= 0;
 
@@ -248,7 +258,7 @@ internal partial struct RingPositions
         where TSync : struct, ISyncPoints
     {
         // Not once it is closed, when a mark would open it again.
-        while (resident > fastPathLimit && !IsClosed<TSync>())
+        while (resident > fastPathLimit && !HasLastMark<TSync>())
         {
             int found = default(TSync).CompareExchange(ref _fastPathLimit, resident, fastPathLimit);
             if (found == fastPathLimit)

@@ -41,19 +41,7 @@ internal sealed class SingleProducerRing<T, TSync> : SequencedRing<T, TSync>
         => _isFenced = (receiverWakeUp is not null && !isOwn) || !MemoryBarriers.ReachAllThreads;
 
     public override PushResult Push(in T value)
-    {
-        if (State.Find<TSync>(1, Capacity, out int position) == 0)
-            return PushResult.Rejected;
-        ref Slot slot = ref SlotAt(position);
-        Write(ref slot.Value, value);
-        int tail = unchecked(position + 1);
-        State.MoveTail<TSync>(tail);
-        if (_isFenced)
-            default(TSync).Exchange(ref slot.Sequence, tail);
-        else
-            default(TSync).VolatileWrite(ref slot.Sequence, tail);
-        return TryEnd(tail, 1) ? PushResult.Queued : PushResult.Rejected;
-    }
+        => State.TryFind<TSync>(1, out int position) ? Put(value, position) : PushBeyondMark(value);
 
     public override int PushFrom(ReadOnlySpan<T> values)
     {
@@ -62,19 +50,55 @@ internal sealed class SingleProducerRing<T, TSync> : SequencedRing<T, TSync>
         int count = State.Find<TSync>(values.Length, Capacity, out int position);
         if (count == 0)
             return 0;
-        for (int i = 0; i < count; i++)
-            Write(ref SlotAt(unchecked(position + i)).Value, values[i]);
         int tail = unchecked(position + count);
         State.MoveTail<TSync>(tail);
+        Slot[] slots = Slots;
         for (int i = 0; i < count; i++)
-            default(TSync).VolatileWrite(ref SlotAt(unchecked(position + i)).Sequence, unchecked(position + i + 1));
+        {
+            ref Slot slot = ref slots[unchecked(position + i) & (slots.Length - 1)];
+            Write(ref slot.Value, values[i]);
+            default(TSync).VolatileWrite(ref slot.Sequence, unchecked(position + i + 1));
+        }
+
         if (_isFenced)
             default(TSync).Fence();
         return TryEnd(tail, count) ? count : 0;
     }
 
-    /// <returns>False where the queue was closed meanwhile: the values are not in it.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private PushResult Put(in T value, int position)
+    {
+        ref Slot slot = ref SlotAt(position);
+        Write(ref slot.Value, value);
+        int tail = unchecked(position + 1);
+        State.MoveTail<TSync>(tail);
+        if (_isFenced)
+            default(TSync).Exchange(ref slot.Sequence, tail);
+        else
+            default(TSync).VolatileWrite(ref slot.Sequence, tail);
+        if (State.IsClosed<TSync>())
+            return EndOfClosed(tail);
+        return ReceiverWakeUp is { } receiver && !IsPending(receiver, WakeUpCauses.Push)
+            ? Wake(receiver)
+            : PushResult.Queued;
+    }
+
+    // What is rare is not inlined, and is the last thing that is done: the hot path saves no registers for it.
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private PushResult PushBeyondMark(in T value)
+        => State.Find<TSync>(1, Capacity, out int position) == 0 ? PushResult.Rejected : Put(value, position);
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private PushResult EndOfClosed(int tail) => TryEnd(tail, 1) ? PushResult.Queued : PushResult.Rejected;
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static PushResult Wake(WakeUpEvent<TSync> receiver)
+    {
+        receiver.Wake(WakeUpCauses.Push);
+        return PushResult.Queued;
+    }
+
+    /// <returns>False where the queue was closed meanwhile: the values are not in it.</returns>
     private bool TryEnd(int tail, int count)
     {
         if (!State.AreInTime<TSync>(tail, count))

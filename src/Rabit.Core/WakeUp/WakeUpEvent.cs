@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using Rabit.Core.Time;
 
 namespace Rabit.Core.WakeUp;
@@ -93,6 +94,7 @@ internal partial class WakeUpEvent<TSync>
     }
 
     /// <summary>Whether one of the wanted causes is set.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Has(int wanted) => (default(TSync).VolatileRead(ref _state) & wanted) != 0;
 
     /// <summary>Consumes all causes, and clears the mark "asleep".</summary>

@@ -95,7 +95,7 @@ public sealed class QueueCloseExplorationTests(ITestOutputHelper output)
             if (!isWarm)
                 return;
             Positions.Reserve<SyncPoints>(2, Capacity, out _);
-            Positions.MoveHead<SyncPoints>(2);
+            Positions.MoveHead<SyncPoints>(Positions.Head<SyncPoints>(), 2);
             Positions.Reserve<SyncPoints>(1, Capacity, out _);
             LeftBefore = 1;
         }

@@ -24,7 +24,7 @@ public sealed class RingPositionsTests
             {
                 for (int i = 0; i < Rounds; i++)
                 {
-                    positions.MoveHead<SyncPoints>(Capacity);
+                    positions.MoveHead<SyncPoints>(positions.Head<SyncPoints>(), Capacity);
                     positions.Reserve<SyncPoints>(Capacity, Capacity, out _);
                 }
             });
@@ -51,7 +51,7 @@ public sealed class RingPositionsTests
             {
                 for (int i = 0; i < 5; i++)
                 {
-                    positions.MoveHead<SyncPoints>(1);
+                    positions.MoveHead<SyncPoints>(positions.Head<SyncPoints>(), 1);
                     positions.Reserve<SyncPoints>(1, 8, out _);
                 }
             });
@@ -83,7 +83,7 @@ public sealed class RingPositionsTests
             {
                 PushAll(ref positions, isAlone);
                 Assert.Equal((popped + Capacity, popped), (Read(ref positions).Pushed, Read(ref positions).Popped));
-                positions.MoveHead<SyncPoints>(Capacity);
+                positions.MoveHead<SyncPoints>(positions.Head<SyncPoints>(), Capacity);
                 popped += Capacity;
                 Assert.Equal((popped, popped), (Read(ref positions).Pushed, Read(ref positions).Popped));
             }
@@ -102,7 +102,7 @@ public sealed class RingPositionsTests
             QueueCounters counters = default;
             HeldUpPoints.HoldUpAt(point, () => counters = positions.Counters<SyncPoints>(8));
 
-            positions.MoveHead<HeldUpPoints>(1);
+            positions.MoveHead<HeldUpPoints>(positions.Head<HeldUpPoints>(), 1);
 
             if (!HeldUpPoints.WasHeldUp)
                 return;
