@@ -13,7 +13,8 @@ internal static class PingPongMode
 {
     private const int BothWays = 0;
 
-    private static readonly TimeSpan MaxSpin = TimeSpan.FromMilliseconds(0.1);
+    // By ticks: Mono makes whole milliseconds of a number of them, here none.
+    private static readonly TimeSpan MaxSpin = TimeSpan.FromTicks(1000);
 
     public static Table OnOneCpu(RunOptions options)
     {

@@ -4,7 +4,7 @@ using System.Threading;
 namespace Rabit.Core.Locks;
 
 /// <summary>
-/// The lock of a queue or of a pool of buffers: <c>using (_lock.Enter())</c>. A thread that holds it may enter it
+/// The lock of a queue, of a pool of buffers or of the watchdog's posts: <c>using (_lock.Enter())</c>. A thread that holds it may enter it
 /// again.
 /// </summary>
 /// <remarks>

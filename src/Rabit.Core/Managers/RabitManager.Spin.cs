@@ -16,7 +16,8 @@ public abstract partial class RabitManager
     /// <see cref="ManagerStatus.SpinTime"/>. It is not done where the process has one CPU, or another thread of the run
     /// was pinned, until the end of its start-up, to the only CPU that this one was pinned to: who is to wake it could
     /// not run then. In virtual time it does nothing. The unit of work may change it; the change holds from the next
-    /// sleep.
+    /// sleep. On Mono and .NET Framework state it by <see cref="TimeSpan.FromTicks"/>: there
+    /// <c>TimeSpan.FromMilliseconds</c> makes whole milliseconds of a fraction, and none of 0.1.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">Negative, or above 100 µs.</exception>
     public TimeSpan SpinBeforeSleep

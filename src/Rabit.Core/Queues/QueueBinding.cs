@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Diagnostics.CodeAnalysis;
 using System.Linq;
 using System.Runtime.CompilerServices;
 using Rabit.Core.Diagnostics;
@@ -53,10 +52,11 @@ internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, st
     /// decides nothing: then <see cref="Use"/> does. So the hot path calls nothing, and keeps its values in registers.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool TryUse([NotNullWhen(true)] out MessageQueue<T, SyncPoints>? queue)
+    public bool TryUse(out MessageQueue<T, SyncPoints> queue)
     {
-        queue = _prompt;
-        return queue is not null && (_mustRun is null || RunningManager.IsSeenToBe(_mustRun));
+        MessageQueue<T, SyncPoints>? prompt = _prompt;
+        queue = prompt!;   // looked at where it is there only
+        return prompt is not null && (_mustRun is null || RunningManager.IsSeenToBe(_mustRun));
     }
 
     /// <summary>The queue, after the check that the owner may use it.</summary>

@@ -49,7 +49,7 @@ public sealed class QueueReceiver<T>
     /// <returns>False when the queue is empty.</returns>
     /// <exception cref="InvalidOperationException">See <see cref="Count"/>.</exception>
     public bool TryPop([MaybeNullWhen(false)] out T value)
-        => _binding.TryUse(out MessageQueue<T, SyncPoints>? queue)
+        => _binding.TryUse(out MessageQueue<T, SyncPoints> queue)
             ? queue.TryPop(out value)
             : TryPopAfterCheck(out value);
 
@@ -61,7 +61,7 @@ public sealed class QueueReceiver<T>
     /// <returns>How many were taken out.</returns>
     /// <exception cref="InvalidOperationException">See <see cref="Count"/>.</exception>
     public int PopInto(Span<T> target)
-        => _binding.TryUse(out MessageQueue<T, SyncPoints>? queue)
+        => _binding.TryUse(out MessageQueue<T, SyncPoints> queue)
             ? queue.PopInto(target)
             : _binding.Use().PopInto(target);
 

@@ -48,7 +48,7 @@ public sealed class QueueSender<T>
     /// See <see cref="Counters"/>; or the queue is one that makes its senders wait.
     /// </exception>
     public PushResult Push(in T value)
-        => _binding.TryUse(out MessageQueue<T, SyncPoints>? queue) ? queue.Push(value) : PushAfterCheck(value);
+        => _binding.TryUse(out MessageQueue<T, SyncPoints> queue) ? queue.Push(value) : PushAfterCheck(value);
 
     /// <summary>
     /// Puts values in, one after the other, and wakes the receiver once. With <see cref="QueueFullMode.Reject"/> those
@@ -59,7 +59,7 @@ public sealed class QueueSender<T>
     /// <returns>How many of them, from the first, were put in.</returns>
     /// <exception cref="InvalidOperationException">See <see cref="Push"/>.</exception>
     public int PushFrom(ReadOnlySpan<T> values)
-        => _binding.TryUse(out MessageQueue<T, SyncPoints>? queue)
+        => _binding.TryUse(out MessageQueue<T, SyncPoints> queue)
             ? queue.PushFrom(values)
             : UseToPush().PushFrom(values);
 

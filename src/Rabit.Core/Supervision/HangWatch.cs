@@ -1,6 +1,7 @@
 using System;
 using System.Threading;
 using Rabit.Core.Diagnostics;
+using Rabit.Core.Locks;
 using Rabit.Core.Managers;
 using Rabit.Core.Time;
 
@@ -14,18 +15,22 @@ namespace Rabit.Core.Supervision;
 /// The race it closes: the watchdog finds the manager hanging and is about to post that, while the manager returns and
 /// posts that it runs; the watchdog's status, posted last, would stay. The watchdog marks the stage and posts under one
 /// lock; a manager that finds its stage marked passes through that lock before it posts. One that does not hang takes
-/// no lock.
+/// no lock. Where the manager has requested a priority the lock passes it on: the watchdog may be displaced from its
+/// processor while it posts.
 /// </remarks>
 internal sealed class HangWatch(RabitManager manager, ManagerRun run)
 {
     /// <summary>What a manager does that is in none of its code.</summary>
     public const string Sleeping = "sleeping";
 
-    private readonly object _posting = new();
+    private readonly EndpointLock _posting = new(manager.RealTimeRequest?.Priority is not null);
     private readonly StageMark _mark = new();
     private string? _lastHang;        // written by the watchdog under _posting; read by the manager after it passed it
     private long _count;              // same
     private TimeSpan? _modelledEnd;   // in virtual time only, where there is one thread
+
+    /// <summary>Whether a manager that returns lends its priority to the watchdog that posts.</summary>
+    public bool InheritsPriority => _posting.InheritsPriority;
 
     public BoundedList<ManagerHang> Found { get; } = new();
 
@@ -109,7 +114,7 @@ internal sealed class HangWatch(RabitManager manager, ManagerRun run)
             return Times.Earlier(limit, next);
 
         var hang = new ManagerHang(manager.Name, stage, manager.Doing, since, now - since);
-        lock (_posting)
+        using (_posting.Enter())
         {
             if (!_mark.TryMarkHanging(seen))
                 return next;
@@ -143,7 +148,7 @@ internal sealed class HangWatch(RabitManager manager, ManagerRun run)
 
     private void ReportReturn(TimeSpan now)
     {
-        lock (_posting)
+        using (_posting.Enter())
         {
             // The watchdog's post is over; what is posted from here on comes after it.
         }

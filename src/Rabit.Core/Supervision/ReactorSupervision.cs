@@ -27,7 +27,7 @@ internal sealed class ReactorSupervision : IDisposable
         ReactorOptions options, RabitWorkspace workspace, RunClock clock, IReadOnlyList<ManagerActivity> managers)
     {
         _managers = managers;
-        _statuses = managers.Select(m => workspace.StatusEndpointOf(m.Name)).ToArray();
+        _statuses = managers.Select(m => workspace.StatusEndpointOf(m.Name, m.Hangs.InheritsPriority)).ToArray();
         _meter = new ManagerMeter(options.Name, managers.Select(m => m.Name).ToArray(), ReadStatuses);
         if (options.Time is VirtualTime modelled)
         {

@@ -151,7 +151,7 @@ public sealed partial class RabitWorkspace
     internal QueueTimeKeeper? TimeKeeper { get; private set; }
 
     /// <summary>The library's own endpoint of a status, once all is wired.</summary>
-    internal StatusEndpoint StatusEndpointOf(string managerName)
+    internal StatusEndpoint StatusEndpointOf(string managerName, bool inheritsPriority)
     {
         var binding = new MessageBinding<ManagerStatus>(
             NewOwner(), EndpointRole.Publish, RabitManager.StatusMessageName(managerName))
@@ -160,7 +160,7 @@ public sealed partial class RabitWorkspace
         };
         lock (_gate)
             BindLate(binding);
-        return new StatusEndpoint(binding);
+        return new StatusEndpoint(binding, inheritsPriority);
     }
 
     /// <summary>

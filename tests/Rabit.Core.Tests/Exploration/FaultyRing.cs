@@ -68,11 +68,48 @@ internal sealed class FaultyRing(
         return true;
     }
 
-    public override int PushFrom(ReadOnlySpan<int> values) => throw new NotSupportedException();
+    /// <summary>Of one sender.</summary>
+    public override int PushFrom(ReadOnlySpan<int> values)
+    {
+        int tail = Sync.Read(ref _tail);
+        int count = Math.Min(values.Length, Capacity - (tail - Sync.VolatileRead(ref _head)));
+        Sync.VolatileWrite(ref _tail, tail + count);
+        if (count > 1 && fault == SeededRingFault.LastBeforeTheOthers)
+            Put(tail + count - 1, values[count - 1]);
+        for (int i = 0; i < count; i++)
+            Put(tail + i, values[i]);
+        return count;
+    }
 
-    public override int PopInto(Span<int> target) => throw new NotSupportedException();
+    /// <summary>Of one sender.</summary>
+    public override int PopInto(Span<int> target)
+    {
+        int head = Sync.Read(ref _head);
+        int count = IsThere(head) ? target.Length : 0;
+        if (count > 0 && !IsThere(head + count - 1))
+        {
+            count = 1;
+            while (IsThere(head + count))
+                count++;
+        }
+
+        for (int i = 0; i < count; i++)
+            target[i] = Sync.Read(ref _values[(head + i) % _values.Length]);
+        Sync.VolatileWrite(ref _head, head + count);
+        return count;
+    }
 
     public override void Close() => throw new NotSupportedException();
+
+    private void Put(int position, int value)
+    {
+        int place = position % _values.Length;
+        Sync.Write(ref _values[place], value);
+        Sync.VolatileWrite(ref _sequences[place], position + 1);
+    }
+
+    private bool IsThere(int position)
+        => Sync.VolatileRead(ref _sequences[position % _values.Length]) == position + 1;
 
     private bool TryReserve(out int position, out bool wasEmpty)
     {

@@ -27,6 +27,9 @@ public sealed class RingExplorationTests(ITestOutputHelper output)
         { Pair, "Weak", "5", 5, 1, 0 },
         { Pair, "Weak", "3", 3, 2, 0 },
         { Pair, "Weak", "1", 1, 1, 1 },
+        { Pair, "SequentiallyConsistent", "2", 2, 3, 0 },
+        { Pair, "Weak", "1", 2, 3, 0 },
+        { Ring, "SequentiallyConsistent", "1 1", 2, 3, 0 },
         { Ring, "StoreBuffers", "2 1", 2, 1, 0 },
         { Ring, "Weak", "1 1", 2, 1, 0 },
         { Ring, "Weak", "1 1", 2, 2, 0 },
@@ -38,6 +41,7 @@ public sealed class RingExplorationTests(ITestOutputHelper output)
     {
         { Pair, "SequentiallyConsistent", "4", 4, 1, 1 },
         { Pair, "Weak", "3", 3, 1, 1 },
+        { Pair, "Weak", "2", 2, 3, 0 },
         { Ring, "SequentiallyConsistent", "1 1", 2, 1, 1 },
         { Ring, "SequentiallyConsistent", "2 2", 3, 1, 0 },
         { Ring, "StoreBuffers", "2 2", 3, 1, 0 },
@@ -127,6 +131,22 @@ public sealed class RingExplorationTests(ITestOutputHelper output)
         Assert.NotNull(wrong.Fault);
     }
 
+    /// <summary>As above, for several values at once.</summary>
+    [Fact]
+    public void Exploration_OfATwinThatShowsTheLastValueFirst_FindsIt()
+    {
+        var scenario = new RingScenario([1], Pops: 1, Capacity: 4) { Batch = 3 };
+
+        ExplorationResult right = Explore(
+            "Weak", new RingModel(scenario, new FaultyRing(SeededRingFault.None, scenario.Capacity)));
+        ExplorationResult wrong = Explore(
+            "Weak", new RingModel(scenario, new FaultyRing(SeededRingFault.LastBeforeTheOthers, scenario.Capacity)));
+
+        output.WriteLine(wrong.ToString());
+        Assert.True(right.Fault is null, right.ToString());
+        Assert.NotNull(wrong.Fault);
+    }
+
     /// <summary>As above, for what is lost: a wake of the receiver or of a sender that is skipped, a value.</summary>
     [Theory]
     [InlineData(SeededRingFault.UnfencedCheckOfThePush, "2", false)]
@@ -154,7 +174,9 @@ public sealed class RingExplorationTests(ITestOutputHelper output)
 
     private void AssertNoFault(string kind, string memory, string pushes, int pops, int batch, int looks)
     {
-        var scenario = new RingScenario([.. pushes.Split(' ').Select(int.Parse)], pops, Capacity: 2)
+        // Of more than two at once there are some between the first and the last, which may be of two senders.
+        int capacity = batch > 2 ? batch + 1 : 2;
+        var scenario = new RingScenario([.. pushes.Split(' ').Select(int.Parse)], pops, capacity)
         {
             Batch = batch,
             Looks = looks,

@@ -11,6 +11,12 @@ public enum SeededRingFault
     /// <summary>The receiver is shown a place before its value is written.</summary>
     SequenceBeforeTheValue,
 
+    /// <summary>
+    /// Of several values that are pushed at once the last is shown before those in front of it: the receiver, which
+    /// looks at the first and at the last, takes one that is not there.
+    /// </summary>
+    LastBeforeTheOthers,
+
     /// <summary>The value is written plainly after a sequence that is no release.</summary>
     PlainSequence,
 

@@ -19,8 +19,9 @@ internal sealed class ProcessPictureTimes(ProcessCameraOptions options) : IDispo
 {
     public static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(5);
 
-    // Longer than that between two clocks, they are read again.
-    private static readonly TimeSpan MaxBetween = TimeSpan.FromMilliseconds(0.2);
+    // Longer than that between two clocks, they are read again. By ticks: some runtimes make whole milliseconds of a
+    // number of them.
+    private static readonly TimeSpan MaxBetween = TimeSpan.FromTicks(2000);
     private const int MaxReads = 5;
 
     private readonly LinuxVideoSystem _system = new LinuxVideoSystem();
