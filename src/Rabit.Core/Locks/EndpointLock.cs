@@ -4,8 +4,8 @@ using System.Threading;
 namespace Rabit.Core.Locks;
 
 /// <summary>
-/// The lock of a queue, of a pool of buffers or of the watchdog's posts: <c>using (_lock.Enter())</c>. A thread that holds it may enter it
-/// again.
+/// The lock of a queue, of a pool of buffers or of the watchdog's posts: <c>using (_lock.Enter())</c>. A thread that
+/// holds it may enter it again.
 /// </summary>
 /// <remarks>
 /// A thread of a high real-time priority may have to wait for one of a low priority that holds it. So that no thread of
