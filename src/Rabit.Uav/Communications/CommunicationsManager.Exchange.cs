@@ -57,7 +57,7 @@ public sealed partial class CommunicationsManager
         VehicleExchangeOptions options = _options.VehicleExchange.Copy();
         options.Announces ??= options.Groups.Count > 0 || _channels.Any(c => c.Route.IsAcknowledged);
         _exchange = new MessageExchange(
-            options, systemId: 0, new ExchangeRandom(Clock.GetUtcNow().Ticks), HasRoomTowards);
+            options, systemId: 0, new ExchangeRandom(Clock.GetUtcNow().Ticks), RoomTowards);
         foreach (VehicleMessageChannel channel in _channels)
             _exchange.Understand((ushort)channel.Route.MessageType, (byte)channel.Route.Version);
     }
@@ -116,7 +116,10 @@ public sealed partial class CommunicationsManager
         };
         MavlinkFrame frame = MavlinkFrame.Create(tunnel, own.SystemId, own.ComponentId, sequence: 0);
         _options.Dialect.TryGetMessage(frame.MessageId, out MavlinkMessageInfo message);
-        SendCopies(frame, _router.RouteOwn(frame, message), message.CrcExtra, SendClasses.Of(datagram.Class));
+        ulong links = _router.RouteOwn(frame, message);
+        SendCopies(
+            frame, datagram.Links == 0 ? links : links & datagram.Links, message.CrcExtra,
+            SendClasses.Of(datagram.Class));
     }
 
     private void SendCopies(in MavlinkFrame frame, ulong links, byte crcExtra, SendClass sendClass)
@@ -141,17 +144,22 @@ public sealed partial class CommunicationsManager
             SendOwn(sent, frame, crcExtra);
     }
 
-    // One link with room is enough: what others miss of it is sent again where it is to be acknowledged.
-    private bool HasRoomTowards(byte system, VehicleMessageClass messageClass)
+    private LinkRoom RoomTowards(byte system, VehicleMessageClass messageClass)
     {
         ulong links = system == 0 ? ulong.MaxValue : _router.LinksOf(system, 0);
+        SendClass sendClass = SendClasses.Of(messageClass);
+        (ulong wanted, ulong free) = (0, 0);
         foreach (LinkPort port in _ports)
         {
-            if ((links & (1UL << port.Number)) != 0 && port.HasRoom(SendClasses.Of(messageClass), Now))
-                return true;
+            ulong link = 1UL << port.Number;
+            if ((links & link) == 0 || !port.IsSending)
+                continue;
+            wanted |= link;
+            if (port.HasRoom(sendClass, Now))
+                free |= link;
         }
 
-        return false;
+        return new LinkRoom(wanted, free);
     }
 
     /// <returns>Whether it is part of the exchange, which does not concern the autopilot.</returns>
@@ -178,7 +186,7 @@ public sealed partial class CommunicationsManager
         if (_exchange is not { } exchange)
             return;
         VehicleExchangeCounters counters = exchange.Counters;
-        counters.CopiesHeldBack = _copiesHeldBack;
+        counters.CopiesHeldBack += _copiesHeldBack;
         _vehicleMessageStatus!.Value = new VehicleMessageStatus
         {
             Vehicles = exchange.CountVehicles(Now),

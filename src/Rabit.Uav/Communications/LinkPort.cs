@@ -183,13 +183,15 @@ internal sealed class LinkPort(
     /// <summary>Lets go frames that wait for others.</summary>
     public void Flush() => _hold?.Flush();
 
+    /// <summary>Whether the link carries frames that we send: it is open, and not for receiving only.</summary>
+    public bool IsSending => writer is not null && !settings.IsReceiveOnly && !IsOpening && !IsUnconnected(writer);
+
     /// <summary>
     /// Whether the link can carry a frame of vehicle messages of this class now: it is open, within the limit of such
     /// messages, and not many of the class wait for their turn already.
     /// </summary>
     public bool HasRoom(SendClass sendClass, TimeSpan now)
-        => writer is not null && !settings.IsReceiveOnly && !IsOpening && !IsUnconnected(writer)
-            && rateLimiter.HasRoom(MaxTunnelLength, now)
+        => IsSending && rateLimiter.HasRoom(MaxTunnelLength, now)
             && (Scheduler is null || Scheduler.WaitingOf(sendClass) < MaxWaitingMessages);
 
     /// <summary>Counts a frame of vehicle messages against their limit.</summary>

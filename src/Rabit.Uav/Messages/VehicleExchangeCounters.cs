@@ -20,7 +20,7 @@ public struct VehicleExchangeCounters
 
     /// <summary>
     /// Copies of fragments, acknowledgements and announcements that did not go to a link that had no room, while they
-    /// went to another.
+    /// went to another; of messages that are not acknowledged only where the link had none for their whole lifetime.
     /// </summary>
     public long CopiesHeldBack { get; set; }
 

@@ -5,6 +5,7 @@ using System.Linq;
 using System.Text;
 using Rabit.Core;
 using Rabit.Links;
+using Rabit.Uav.Communications;
 using Rabit.Uav.GroundControl;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
@@ -22,6 +23,7 @@ internal sealed class GroupFlight : IDisposable
     private readonly List<StringBuilder> _logs = [];
     private readonly Action<int, RabitReactor>? _wire;
     private readonly bool _isGroup;
+    private readonly SendBudget? _radioBudget;
 
     public GroupFlight(
         MissionPlan plan,
@@ -29,9 +31,10 @@ internal sealed class GroupFlight : IDisposable
         double layerSpacingMetres,
         bool hasEventLogs = false,
         Action<int, RabitReactor>? wire = null,
-        bool isGroup = true)
+        bool isGroup = true,
+        SendBudget? radioBudget = null)
     {
-        (_wire, _isGroup) = (wire, isGroup);
+        (_wire, _isGroup, _radioBudget) = (wire, isGroup, radioBudget);
         options.World.TakePlacesFrom(plan);
         Group = new SimulatedGroup(options);
         for (int i = 0; i < options.Vehicles; i++)
@@ -115,6 +118,7 @@ internal sealed class GroupFlight : IDisposable
                     [0] = SimulatedGroupVehicle.TelemetrySettings,
                     [1] = vehicle.RadioSettings,
                 },
+                SendBudgets = _radioBudget is null ? [] : new Dictionary<int, SendBudget> { [1] = _radioBudget },
             },
         });
         _systems.Add(uav);

@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using Rabit.Core;
 using Rabit.Geodesy;
+using Rabit.Uav.Communications;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 using Rabit.Uav.Simulation.Tests.Missions;
@@ -34,15 +35,19 @@ public sealed class LateVehicleTests(ITestOutputHelper output)
     private static readonly GeodeticPosition Home = GeodeticPosition.FromDegrees(47.3971, 8.5445, 488);
     private static readonly TargetClassName Red = new("red");
 
-    [Fact]
-    public void Flight_OneIsSwitchedOnLate_KnowsTheTargetsThatMoveAndTheRadioIsAtRest()
+    [Theory]
+    [InlineData(0)]
+    [InlineData(2400)]
+    public void Flight_OneIsSwitchedOnLate_KnowsTheTargetsThatMoveAndTheRadioIsAtRest(int budget)
     {
         QueueSender<CameraObservation>? camera = null;
-        using GroupFlight flight = Open((number, reactor) =>
-        {
-            if (number == 0)
-                camera = reactor.Workspace.Send<CameraObservation>(MessageNames.CameraObservations);
-        });
+        using GroupFlight flight = Open(
+            (number, reactor) =>
+            {
+                if (number == 0)
+                    camera = reactor.Workspace.Send<CameraObservation>(MessageNames.CameraObservations);
+            },
+            budget == 0 ? null : new SendBudget { BytesPerSecond = budget });
         for (int i = 0; i < 10; i++)
         {
             RunTo(flight, TimeSpan.FromSeconds(12 + (0.5 * i)));
@@ -119,7 +124,7 @@ public sealed class LateVehicleTests(ITestOutputHelper output)
     private static GeodeticPosition PlaceAt(double north, double east)
         => LocalNedFrame.IgnoringGeoid(Home).ToGeodetic(new NedPosition(north, east, 0));
 
-    private static GroupFlight Open(Action<int, RabitReactor> wire)
+    private static GroupFlight Open(Action<int, RabitReactor> wire, SendBudget? radioBudget)
     {
         SimulationOptions world = SearchFlight.SmallWorld();
         world.TargetCount = 0;
@@ -132,6 +137,6 @@ public sealed class LateVehicleTests(ITestOutputHelper output)
             World = world,
             Faults = [new SimulatedGroupFault(Late, SimulatedGroupFaultKind.SwitchedOn, SwitchedOn)],
         };
-        return new GroupFlight(plan, options, layerSpacingMetres: 19, wire: wire);
+        return new GroupFlight(plan, options, layerSpacingMetres: 19, wire: wire, radioBudget: radioBudget);
     }
 }

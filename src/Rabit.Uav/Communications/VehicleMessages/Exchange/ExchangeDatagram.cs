@@ -9,4 +9,7 @@ internal struct ExchangeDatagram
     public byte TargetSystem;
 
     public VehicleMessageClass Class;
+
+    /// <summary>The links that it is for, a bit for each; 0 for all that lead there and have room.</summary>
+    public ulong Links;
 }

@@ -35,7 +35,7 @@ internal sealed partial class MessageExchange
         TimeSpan due = _announces ? Earlier(_nextAnnouncement, _relay.NextDue) : _relay.NextDue;
         foreach (OutgoingExchange outgoing in _outgoing)
         {
-            outgoing.TryNext(now, _roundTrip, out _, out TimeSpan next);
+            outgoing.TryNext(now, _roundTrip, RoomFor(outgoing), out _, out TimeSpan next);
             due = Earlier(Earlier(due, next), outgoing.Deadline);
         }
 
@@ -53,13 +53,14 @@ internal sealed partial class MessageExchange
         int index = 0;
         foreach (OutgoingExchange outgoing in _outgoing)
         {
-            bool isNext = HasRoom(TargetOf(outgoing.Message), outgoing.Message.Class)
-                && outgoing.TryNext(now, _roundTrip, out index, out _);
-            if (!isNext)
+            LinkRoom room = RoomFor(outgoing);
+            if (room.Free == 0 || !outgoing.TryNext(now, _roundTrip, room, out index, out _))
                 continue;
             datagram = Write(outgoing, index, now, to);
-            _counters.FragmentsSent++;
-            if (outgoing.MarkSent(index, now))
+            datagram.Links = outgoing.LinksFor(index, room);
+            if (!outgoing.IsCopy(index))
+                _counters.FragmentsSent++;
+            if (outgoing.MarkSent(index, room, now))
                 _counters.FragmentsResent++;
             return true;
         }
@@ -105,7 +106,12 @@ internal sealed partial class MessageExchange
             : (byte)0;
 
     private bool HasRoom(byte targetSystem, VehicleMessageClass messageClass)
-        => _hasRoom is null || _hasRoom(targetSystem, messageClass);
+        => Room(targetSystem, messageClass).Free != 0;
+
+    private LinkRoom Room(byte targetSystem, VehicleMessageClass messageClass)
+        => _room is null ? LinkRoom.Always : _room(targetSystem, messageClass);
+
+    private LinkRoom RoomFor(OutgoingExchange outgoing) => Room(TargetOf(outgoing.Message), outgoing.Message.Class);
 
     // Many that start together would else answer each other at once, again and again.
     private void AnnounceSoon(TimeSpan now)

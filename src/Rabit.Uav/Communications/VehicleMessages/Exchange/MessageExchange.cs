@@ -33,7 +33,7 @@ internal sealed partial class MessageExchange
     private readonly GpsTimeBase _time = new();
     private readonly List<OutgoingExchange> _outgoing = [];
     private readonly Queue<(ExchangeMessage Message, DeliveryReport Report)> _reports = new();
-    private readonly Func<byte, VehicleMessageClass, bool>? _hasRoom;
+    private readonly Func<byte, VehicleMessageClass, LinkRoom>? _room;
     private readonly bool _announces;
     private readonly RoundTripTime _roundTrip = new();
     private VehicleExchangeCounters _counters;
@@ -47,14 +47,14 @@ internal sealed partial class MessageExchange
     /// <param name="options">Checked.</param>
     /// <param name="systemId">Our system id; 0 where it is not known yet: nothing is sent before.</param>
     /// <param name="random">The session, which keeps messages of two runs apart, and the waits of relays.</param>
-    /// <param name="hasRoom">
-    /// Whether there is room now for a datagram of a class to a system, 0 for all; without it there always is.
+    /// <param name="room">
+    /// Over which links a datagram of a class to a system, 0 for all, goes now; without it one link that has room.
     /// </param>
     public MessageExchange(
         VehicleExchangeOptions options, byte systemId, ExchangeRandom random,
-        Func<byte, VehicleMessageClass, bool>? hasRoom = null)
+        Func<byte, VehicleMessageClass, LinkRoom>? room = null)
     {
-        (_options, _systemId, _hasRoom, _random) = (options.Copy(), systemId, hasRoom, random);
+        (_options, _systemId, _room, _random) = (options.Copy(), systemId, room, random);
         _announces = options.Announces != false;
         _session = (ushort)random.Next(65536);
         _groups = _options.GroupBits;
@@ -193,9 +193,9 @@ internal sealed partial class MessageExchange
         {
             ExchangeMessage older = _outgoing[i].Message;
             bool isReplaced = older.Class == VehicleMessageClass.State && older.Type == newer.Type
-                && older.Destination == newer.Destination && !_outgoing[i].WasSent;
+                && older.Destination == newer.Destination && (!_outgoing[i].WasSent || _outgoing[i].IsSent);
             if (isReplaced)
-                End(i, DeliveryOutcome.Replaced);
+                End(i, _outgoing[i].WasSent ? DeliveryOutcome.Sent : DeliveryOutcome.Replaced);
         }
     }
 
@@ -223,12 +223,12 @@ internal sealed partial class MessageExchange
         for (int i = _outgoing.Count - 1; i >= 0; i--)
         {
             OutgoingExchange outgoing = _outgoing[i];
-            if (outgoing.IsDone)
+            if (outgoing.IsDone(RoomFor(outgoing)))
                 End(i, !outgoing.Message.IsAcknowledged ? DeliveryOutcome.Sent
                     : outgoing.NotUnderstood > 0 ? DeliveryOutcome.NotUnderstood
                     : DeliveryOutcome.Delivered);
             else if (outgoing.Deadline <= now)
-                End(i, DeliveryOutcome.Expired);
+                End(i, outgoing.IsSent ? DeliveryOutcome.Sent : DeliveryOutcome.Expired);
         }
     }
 
@@ -236,6 +236,8 @@ internal sealed partial class MessageExchange
     {
         OutgoingExchange outgoing = _outgoing[index];
         _outgoing.RemoveAt(index);
+        if (outgoing.IsSent)
+            _counters.CopiesHeldBack += outgoing.LinksMissed(RoomFor(outgoing));
         if (outcome == DeliveryOutcome.Expired)
             _counters.Expired++;
         Report(outgoing.Message, outcome, outgoing);

@@ -13,6 +13,9 @@ internal sealed class OutgoingExchange
     private readonly TimeSpan?[] _sentAt;
     private readonly int[] _tries;
 
+    // The links that each fragment went over: a copy of what is not acknowledged is not sent again.
+    private readonly ulong[] _carried;
+
     /// <param name="message">The message.</param>
     /// <param name="id">Its id.</param>
     /// <param name="receivers">Who must acknowledge it; empty where none must.</param>
@@ -25,6 +28,7 @@ internal sealed class OutgoingExchange
             1, (message.Content.Length + ExchangeWire.FragmentLength - 1) / ExchangeWire.FragmentLength);
         _sentAt = new TimeSpan?[Count];
         _tries = new int[Count];
+        _carried = new ulong[Count];
         foreach (byte receiver in receivers)
             _answers[receiver] = 0;
     }
@@ -65,16 +69,64 @@ internal sealed class OutgoingExchange
 
     public bool WasSent => Array.Exists(_sentAt, t => t is not null);
 
-    /// <summary>Whether there is nothing more to do: all have answered, or it was sent and none must.</summary>
-    public bool IsDone => Message.IsAcknowledged
-        ? Acknowledged + NotUnderstood == Receivers
-        : Array.TrueForAll(_sentAt, t => t is not null);
+    /// <summary>Whether all of it went out over some link, of what is not acknowledged.</summary>
+    public bool IsSent => !Message.IsAcknowledged && Array.TrueForAll(_sentAt, t => t is not null);
 
     private uint All => Count == 32 ? uint.MaxValue : (1u << Count) - 1;
 
+    /// <summary>Whether there is nothing more to do: all have answered, or it was sent and none must.</summary>
+    public bool IsDone(LinkRoom room)
+    {
+        if (Message.IsAcknowledged)
+            return Acknowledged + NotUnderstood == Receivers;
+        foreach (ulong carried in _carried)
+        {
+            if (!room.IsCarried(carried))
+                return false;
+        }
+
+        return true;
+    }
+
+    /// <summary>Over how many links a part of it did not go.</summary>
+    public int LinksMissed(LinkRoom room)
+    {
+        ulong missed = 0;
+        foreach (ulong carried in _carried)
+            missed |= room.Wanted & ~carried;
+        int links = 0;
+        for (; missed != 0; missed &= missed - 1)
+            links++;
+        return links;
+    }
+
+    /// <summary>Whether a fragment went over another link, and is only copied to more of them.</summary>
+    public bool IsCopy(int fragment) => !Message.IsAcknowledged && _carried[fragment] != 0;
+
+    /// <summary>The links that a fragment is to go over now; 0 for all with room.</summary>
+    public ulong LinksFor(int fragment, LinkRoom room) => Message.IsAcknowledged ? 0 : room.Left(_carried[fragment]);
+
     /// <summary>The next fragment that is due.</summary>
     /// <returns>False where none is before <paramref name="due"/>.</returns>
-    public bool TryNext(TimeSpan now, RoundTripTime roundTrip, out int fragment, out TimeSpan due)
+    public bool TryNext(
+        TimeSpan now, RoundTripTime roundTrip, LinkRoom room, out int fragment, out TimeSpan due)
+    {
+        if (!Message.IsAcknowledged)
+        {
+            due = IsDone(room) ? TimeSpan.MaxValue : now;
+            for (fragment = 0; fragment < Count; fragment++)
+            {
+                if (room.Left(_carried[fragment]) != 0)
+                    return true;
+            }
+
+            return false;
+        }
+
+        return TryNext(now, roundTrip, out fragment, out due);
+    }
+
+    private bool TryNext(TimeSpan now, RoundTripTime roundTrip, out int fragment, out TimeSpan due)
     {
         due = TimeSpan.MaxValue;
         uint missing = Missing();
@@ -91,8 +143,6 @@ internal sealed class OutgoingExchange
                 return true;
             }
 
-            if (!Message.IsAcknowledged)
-                continue;
             TimeSpan again = sent + roundTrip.TimeOut(_tries[fragment]);
             if (again <= now)
             {
@@ -109,10 +159,11 @@ internal sealed class OutgoingExchange
     }
 
     /// <returns>Whether it was sent before.</returns>
-    public bool MarkSent(int fragment, TimeSpan now)
+    public bool MarkSent(int fragment, LinkRoom room, TimeSpan now)
     {
         _sentAt[fragment] = now;
-        return ++_tries[fragment] > 1;
+        _carried[fragment] |= room.Free;
+        return ++_tries[fragment] > 1 && Message.IsAcknowledged;
     }
 
     /// <summary>Takes what a receiver has.</summary>
@@ -161,8 +212,6 @@ internal sealed class OutgoingExchange
 
     private uint Missing()
     {
-        if (!Message.IsAcknowledged)
-            return All;
         uint missing = 0;
         foreach (KeyValuePair<byte, uint> answer in _answers)
             missing |= All & ~answer.Value;

@@ -1,0 +1,137 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Uav.Communications;
+using Rabit.Uav.Messages;
+using Xunit;
+
+namespace Rabit.Uav.Tests.Communications.Exchange;
+
+/// <summary>
+/// Messages that are not acknowledged, with two links: one to the autopilot, which has room, and a radio under a
+/// budget, which has none for a while.
+/// </summary>
+public sealed class LinkCopyTests
+{
+    private const ulong Telemetry = 1;
+    private const ulong Radio = 2;
+
+    private ulong _free = Telemetry | Radio;
+
+    [Fact]
+    public void Message_OneLinkHasNoRoom_GoesOverItWhenItHas()
+    {
+        MessageExchange exchange = Make();
+        _free = Telemetry;
+        for (int n = 0; n < 5; n++)
+            exchange.Post(Message(n), TimeSpan.Zero);
+        Assert.Equal(Enumerable.Repeat(Telemetry, 5), Send(exchange, 0));
+        Assert.Empty(Send(exchange, 1));
+        Assert.True(exchange.NextDue(TimeSpan.FromSeconds(1)) <= TimeSpan.FromSeconds(1), "waits for the radio");
+
+        _free = Telemetry | Radio;
+        Assert.Equal(Enumerable.Repeat(Radio, 5), Send(exchange, 2));
+        Assert.Empty(Send(exchange, 2.1));
+        Assert.Equal(0, exchange.Waiting);
+        Assert.Equal((5L, 0L, 0L, 0L), CountsOf(exchange));
+        Assert.All(Reports(exchange), r => Assert.Equal(DeliveryOutcome.Sent, r));
+    }
+
+    [Fact]
+    public void Message_BothLinksHaveRoom_GoesOutOnce()
+    {
+        MessageExchange exchange = Make();
+        exchange.Post(Message(0), TimeSpan.Zero);
+        Assert.Equal([Telemetry | Radio], Send(exchange, 0));
+        Assert.Empty(Send(exchange, 0.1));
+        Assert.Equal(0, exchange.Waiting);
+    }
+
+    [Fact]
+    public void Message_OneLinkHasNoRoomForItsLifetime_IsSentAndTheMissingCopyIsCounted()
+    {
+        MessageExchange exchange = Make();
+        _free = Telemetry;
+        exchange.Post(Message(0), TimeSpan.Zero);
+        Assert.Equal([Telemetry], Send(exchange, 0));
+        Assert.Empty(Send(exchange, 6));
+        Assert.Equal((1L, 0L, 0L, 1L), CountsOf(exchange));
+        Assert.Equal([DeliveryOutcome.Sent], Reports(exchange));
+    }
+
+    [Fact]
+    public void Message_NoLinkHasRoomForItsLifetime_Expires()
+    {
+        MessageExchange exchange = Make();
+        _free = 0;
+        exchange.Post(Message(0), TimeSpan.Zero);
+        Assert.Empty(Send(exchange, 0));
+        Assert.Empty(Send(exchange, 6));
+        Assert.Equal((0L, 0L, 1L, 0L), CountsOf(exchange));
+        Assert.Equal([DeliveryOutcome.Expired], Reports(exchange));
+    }
+
+    // Of several fragments those that are missing on a link follow, each of them once.
+    [Fact]
+    public void Message_OfSeveralFragments_EachGoesOverEachLinkOnce()
+    {
+        MessageExchange exchange = Make();
+        exchange.Post(Message(0, length: 250), TimeSpan.Zero);
+        _free = Radio;
+        Assert.Equal([Radio, Radio, Radio], Send(exchange, 0));
+        _free = Telemetry | Radio;
+        Assert.Equal([Telemetry, Telemetry, Telemetry], Send(exchange, 0.5));
+        Assert.Equal((3L, 0L, 0L, 0L), CountsOf(exchange));
+    }
+
+    [Fact]
+    public void State_NewerBeforeALinkHadRoom_TakesThePlaceOfTheOlder()
+    {
+        MessageExchange exchange = Make();
+        _free = Telemetry;
+        exchange.Post(Message(0, messageClass: VehicleMessageClass.State), TimeSpan.Zero);
+        Send(exchange, 0);
+        exchange.Post(Message(1, messageClass: VehicleMessageClass.State), TimeSpan.FromSeconds(1));
+        _free = Telemetry | Radio;
+        Assert.Equal([Telemetry | Radio], Send(exchange, 1));
+        Assert.Equal([DeliveryOutcome.Sent, DeliveryOutcome.Sent], Reports(exchange));
+        Assert.Equal(1, exchange.Counters.CopiesHeldBack);
+    }
+
+    private MessageExchange Make() => new(
+        new VehicleExchangeOptions { Announces = false }, systemId: 1, new ExchangeRandom(1),
+        (_, _) => new LinkRoom(Telemetry | Radio, _free));
+
+    private static List<ulong> Send(MessageExchange exchange, double seconds)
+    {
+        var links = new List<ulong>();
+        Span<byte> to = stackalloc byte[ExchangeWire.MaxLength];
+        while (exchange.TryNext(TimeSpan.FromSeconds(seconds), to, out ExchangeDatagram datagram))
+            links.Add(datagram.Links);
+        return links;
+    }
+
+    private static List<DeliveryOutcome> Reports(MessageExchange exchange)
+    {
+        var outcomes = new List<DeliveryOutcome>();
+        while (exchange.TryReport(out _, out DeliveryReport report))
+            outcomes.Add(report.Outcome);
+        return outcomes;
+    }
+
+    private static (long Sent, long Resent, long Expired, long HeldBack) CountsOf(MessageExchange exchange)
+        => (exchange.Counters.FragmentsSent, exchange.Counters.FragmentsResent, exchange.Counters.Expired,
+            exchange.Counters.CopiesHeldBack);
+
+    private static ExchangeMessage Message(
+        int number, int length = 10, VehicleMessageClass messageClass = VehicleMessageClass.Coordination) => new()
+    {
+        Type = 7,
+        Version = 1,
+        Content = new byte[length],
+        Destination = VehicleDestination.All,
+        Class = messageClass,
+        Lifetime = TimeSpan.FromSeconds(5),
+        Reference = number,
+    };
+}
