@@ -96,9 +96,10 @@ internal sealed class PatchColour
     }
 
     /// <summary>
-    /// How much of its light is in its colour against the ground around it, as a part of the nominal one: haze takes
-    /// saturation, but not that, and shade takes it from the ground too. A dull surface has little of both. From 0.5
-    /// to 1; what has more, and what is so small that the ground is mixed into it, counts as 1.
+    /// How much of its light is in its colour against the ground around it, or that of the whole picture where it is
+    /// darker, as a part of the nominal one: haze takes saturation, but not that, and shade takes it from the ground
+    /// too. A dull surface has little of both. From 0.5 to 1; what has more, and what is so small that the ground is
+    /// mixed into it, counts as 1.
     /// </summary>
     public double Brilliance(in PatchShape shape, double level, double mixed)
     {

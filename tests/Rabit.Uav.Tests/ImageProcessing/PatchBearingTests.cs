@@ -98,7 +98,8 @@ public sealed class PatchBearingTests(ITestOutputHelper output)
         }
 
         double nees = sigmas.Average(s => s * s);
-        output.WriteLine(FormattableString.Invariant($"seed {seed}, {pixels} px: NEES {nees:0.00}, {sigmas.Max():0.0}"));
+        output.WriteLine(
+            FormattableString.Invariant($"seed {seed}, {pixels} px: NEES {nees:0.00}, {sigmas.Max():0.0}"));
         Assert.True(nees < 1.3 && sigmas.Max() < 3.5, $"seed {seed}: {nees}, {sigmas.Max()}");
     }
 
@@ -109,7 +110,11 @@ public sealed class PatchBearingTests(ITestOutputHelper output)
     {
         var painting = new Painting(5);
         for (int i = 0; i < corners; i++)
-            painting.Rectangle((28, 72, 205), 200, 200, pixels, pixels * (corners > 6 ? 0.1 : 1), Math.PI * i / corners);
+        {
+            painting.Rectangle(
+                (28, 72, 205), 200, 200, pixels, pixels * (corners > 6 ? 0.1 : 1), Math.PI * i / corners);
+        }
+
         Assert.Equal(1, Detect(painting.Finish(), 1 / pixels));
         Assert.Null(_found[0].Bearing);
     }

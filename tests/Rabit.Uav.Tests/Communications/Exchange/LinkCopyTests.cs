@@ -125,13 +125,13 @@ public sealed class LinkCopyTests
 
     private static ExchangeMessage Message(
         int number, int length = 10, VehicleMessageClass messageClass = VehicleMessageClass.Coordination) => new()
-    {
-        Type = 7,
-        Version = 1,
-        Content = new byte[length],
-        Destination = VehicleDestination.All,
-        Class = messageClass,
-        Lifetime = TimeSpan.FromSeconds(5),
-        Reference = number,
-    };
+        {
+            Type = 7,
+            Version = 1,
+            Content = new byte[length],
+            Destination = VehicleDestination.All,
+            Class = messageClass,
+            Lifetime = TimeSpan.FromSeconds(5),
+            Reference = number,
+        };
 }
