@@ -117,6 +117,19 @@ public sealed class PaintedPanelsTests
         }
     }
 
+    /// <summary>Deep shade in the picture is taken for haze, which makes pale colours of bright ones.</summary>
+    [Fact]
+    public void Detect_DullCrateWhereSomeOfTheGroundIsDark_IsNoPanel()
+    {
+        var painting = new Painting(15);
+        painting.Rectangle((50, 56, 40), 100, 400, 120, 60, 0);
+        painting.Rectangle((132, 54, 50), 300, 200, 13, 13, 0.3);
+        painting.Panel(DefaultTargetClasses.Red, 450, 200, 13, 0.3, light: 0.7);
+
+        TargetDetection found = Assert.Single(Search(painting.Finish(), 13));
+        Assert.Equal(450, found.CentreX, 1.0);
+    }
+
     [Fact]
     public void Detect_PanelCutByTheBorder_IsNotReported()
     {
