@@ -208,6 +208,9 @@ internal static class ManagerOptions
         made.ReturnClearanceMetres = options.Preflight.MinObstacleClearanceMetres;
         made.FindsFaultOfChange = changed => UavOptionsCheck.FindGapBetweenLanes(changed, options)
             ?? UavOptionsCheck.FindTooCoarse(changed, options);
+        made.LongerSideOfPicture = MissionOf(options) is { } mission
+            ? UavOptionsCheck.LongerSideOf(mission, options)
+            : null;
         made.SwathMetres = flown => UavOptionsCheck.SwathOf(flown, options);
         return made;
     }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Communications;
 using Rabit.Uav.ImageProcessing;
@@ -145,6 +146,19 @@ internal static class UavOptionsCheck
     /// </summary>
     public static double? SwathOf(MissionPlan mission, UavOptions options)
         => mission.CameraPitch.Degrees > MaxDownPitchDegrees ? null : WidthOf(mission, options);
+
+    /// <summary>
+    /// From forward of the vehicle to the longer side of a mission's pictures; null where there is none, the camera
+    /// does not turn with the vehicle, or a camera or mission with faults says nothing of it.
+    /// </summary>
+    public static Angle? LongerSideOf(MissionPlan mission, UavOptions options)
+    {
+        ImageProcessingOptions imaging = ManagerOptions.ForImageProcessing(options);
+        bool turnsWithVehicle = !mission.HasGimbal && imaging.Mount?.GimbalFrame != GimbalFrame.North;
+        return turnsWithVehicle && IsViewKnown(mission, options, imaging)
+            ? PictureSides.LongerSide(imaging.Camera!, imaging.Mount!, mission.CameraPitch, mission.CameraYaw)
+            : null;
+    }
 
     // How wide the ground is across the lanes that a picture shows.
     private static double? WidthOf(MissionPlan mission, UavOptions options)

@@ -146,6 +146,12 @@ public sealed class MissionControlOptions
     /// </summary>
     internal Func<MissionPlan, double?>? SwathMetres { get; set; }
 
+    /// <summary>
+    /// From forward of the vehicle to the longer side of its pictures; null where there is none, or where the camera
+    /// does not turn with the vehicle. Set where the system is composed.
+    /// </summary>
+    internal Angle? LongerSideOfPicture { get; set; }
+
     /// <exception cref="ArgumentException">
     /// Options are out of their range, or the mission cannot be flown; the text names all faults.
     /// </exception>

@@ -41,10 +41,16 @@ public sealed class FastFollowTests(ITestOutputHelper output)
         CheckTracks(all, MinCaptured);
     }
 
-    // The share in view of a camera that leans with the vehicle is printed, and not what is asked for: see the table.
+    // What is asked for is 0.95 in each flight: a camera that leans with the vehicle has it in the mean, see the table.
     [Fact, Trait("Category", "Long")]
-    public void Follow_CameraFixedToTheBody_TrackIsHonest()
-        => CheckTracks(FlyAll(SimulatedGimbal.AgainstBody, SimulatedMotion.Vehicle), MinCaptured);
+    public void Follow_CameraFixedToTheBody_IsInViewAndItsTrackIsHonest()
+    {
+        FastFollowFigures[] all = FlyAll(SimulatedGimbal.AgainstBody, SimulatedMotion.Vehicle, seeds: 2 * Seeds);
+        FastFollowFigures[] captured = Captured(all);
+        Assert.InRange(captured.Sum(f => f.InView) / (double)captured.Sum(f => f.Samples), 0.95, 1);
+        Assert.All(captured, f => Assert.InRange(f.InView / (double)f.Samples, 0.85, 1));
+        CheckTracks(all, minCaptured: 16);
+    }
 
     [Fact, Trait("Category", "Long")]
     public void Follow_GimbalPointed_IsInViewAndItsTrackIsHonest()
@@ -76,7 +82,7 @@ public sealed class FastFollowTests(ITestOutputHelper output)
     private static void CheckTracks(FastFollowFigures[] flights, int minCaptured)
     {
         FastFollowFigures[] all = Captured(flights);
-        Assert.InRange(all.Length, minCaptured, Seeds);
+        Assert.InRange(all.Length, minCaptured, flights.Length);
         double squares = all.Sum(f => f.Errors.Sum(e => e.SquaredMetres));
         Assert.InRange(Math.Sqrt(squares / all.Sum(f => f.Errors.Count)), 0, 4);
         Assert.InRange(all.Average(f => f.MeanNees), NeesLimit(all.Length, -Quantile), NeesLimit(all.Length, Quantile));
@@ -90,9 +96,10 @@ public sealed class FastFollowTests(ITestOutputHelper output)
         return 2 * Math.Pow(1 - part + (quantile * Math.Sqrt(part)), 3);
     }
 
-    private FastFollowFigures[] FlyAll(SimulatedGimbal gimbal, SimulatedMotion motion, bool isPointed = false)
+    private FastFollowFigures[] FlyAll(
+        SimulatedGimbal gimbal, SimulatedMotion motion, bool isPointed = false, int seeds = Seeds)
     {
-        FastFollowFigures[] flights = Enumerable.Range(1, Seeds)
+        FastFollowFigures[] flights = Enumerable.Range(1, seeds)
             .Select(seed => Fly(seed, gimbal, motion, isPointed)).ToArray();
         FastFollowFigures[] all = Captured(flights);
         double squares = all.Sum(f => f.Errors.Sum(e => e.SquaredMetres));

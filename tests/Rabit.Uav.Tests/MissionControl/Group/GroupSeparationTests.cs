@@ -54,7 +54,7 @@ public sealed class GroupSeparationTests(ITestOutputHelper output)
     [InlineData(false)]
     public void Flight_BarometersDrift_LayersStayApartByTheSatelliteReceivers(bool hasGnss)
     {
-        using var flight = new SeparationFlight(507, driftMetres: 5, hasGnss: hasGnss);
+        using var flight = new SeparationFlight(506, driftMetres: 5, hasGnss: hasGnss);
         flight.Fly();
         Assert.True(flight.HasEnded, flight.Story);
         Assert.True(hasGnss == (flight.TooNear.Count == 0), flight.TooNear.FirstOrDefault() + flight.Story);
