@@ -17,6 +17,8 @@ public sealed class TargetClass
     private const double PanelsPerTwoColours = 1.4;
     private const double PanelsPerNeutral = 2;
 
+    private const double HalfOfIt = 0.5;
+
     // A template is found in pixels half as fine again, which must be finer than a quarter of this.
     private const double PixelsPerTemplatePixel = 6;
 
@@ -112,6 +114,9 @@ public sealed class TargetClass
     /// has nothing else to be found by.
     /// </summary>
     internal bool IsForm => Marker is null && Template is null && HotSpot is null && !IsPanel;
+
+    /// <summary>Whether most of it is of other colours, which lie beside its own: of a person the jacket shows it.</summary>
+    internal bool IsMostlyOfOtherColours => MinColourShare < HalfOfIt;
 
     // What must be resolved of it as four pixels are of a panel: of a marker, that its cells can be read, and of a
     // template, its edges.

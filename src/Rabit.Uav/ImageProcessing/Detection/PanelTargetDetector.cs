@@ -33,7 +33,7 @@ public sealed class PanelTargetDetector : ITargetDetector
     private readonly PanelClass[] _classes;
     private readonly PanelFinder _finder = new();
     private readonly PanelChoice _choice = new();
-    private PicturePoint[] _onGround = new PicturePoint[256];
+    private readonly OutlineOnGround _onGround = new();
     private byte[] _copy = [];
 
     /// <summary>Makes the detector.</summary>
@@ -86,7 +86,8 @@ public sealed class PanelTargetDetector : ITargetDetector
         if (shape.TouchesBorder || !input.GroundScale.TryAt(shape.CentreX, shape.CentreY, out GroundScale scale))
             return false;
         double pixel = Math.Sqrt(scale.PixelArea);
-        FittedRectangle rectangle = FittedRectangle.Of(OnGround(shape, scale), pixel);
+        FittedRectangle rectangle = FittedRectangle.Of(
+            _onGround.Project(_finder.OutlineOf(shape), shape.CentreX, shape.CentreY, scale), pixel);
         double score = panel.Score(shape, rectangle, pixel);
         if (score <= 0)
             return false;
@@ -98,23 +99,6 @@ public sealed class PanelTargetDetector : ITargetDetector
         detection.Bearing = PanelClass.BearingOf(rectangle, pixel);
         detection.Covariance = PanelClass.CovarianceOf(shape);
         return true;
-    }
-
-    // North and east, metres, whatever the camera looks at them from.
-    private ReadOnlySpan<PicturePoint> OnGround(in PanelShape shape, in GroundScale scale)
-    {
-        ReadOnlySpan<PicturePoint> outline = _finder.OutlineOf(shape);
-        if (_onGround.Length < outline.Length)
-            _onGround = new PicturePoint[2 * outline.Length];
-        for (int i = 0; i < outline.Length; i++)
-        {
-            (double column, double row) = (outline[i].X - shape.CentreX, outline[i].Y - shape.CentreY);
-            _onGround[i] = new PicturePoint(
-                (scale.NorthByColumn * column) + (scale.NorthByRow * row),
-                (scale.EastByColumn * column) + (scale.EastByRow * row));
-        }
-
-        return _onGround.AsSpan(0, outline.Length);
     }
 
     private byte[] ArrayOf(ReadOnlyMemory<byte> pixels)

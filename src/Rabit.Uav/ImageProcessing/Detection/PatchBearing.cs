@@ -13,16 +13,13 @@ internal sealed class PatchBearing
     // Windows, shadows and what hides a part of it are in it: more than the edge of an even patch.
     private const double EdgeSigma = 0.6;
 
-    // A jacket is wider than long, and says nothing of where the person lies.
-    private const double MinColourShare = 0.5;
-
     // Pixels: the outline of a smaller one is that of the raster.
     private const double MinSidePixels = 8;
 
     // A square fills the smallest rectangle around it; a circle 0.79 of it, and any direction fits that.
     private const double MinFill = 0.85;
 
-    private PicturePoint[] _onGround = [];
+    private readonly OutlineOnGround _onGround = new();
 
     /// <summary>
     /// The direction of its long axis, or that of the sides of a square; null where it has none, may be but a part of
@@ -34,7 +31,8 @@ internal sealed class PatchBearing
     /// <param name="measure">What measured it.</param>
     public TargetBearing? Of(in PatchShape shape, TargetClass target, in GroundScale scale, PatchMeasure measure)
     {
-        if (shape.TouchesBorder || target.MinColourShare < MinColourShare)
+        // A jacket is wider than long, and says nothing of where the person lies.
+        if (shape.TouchesBorder || target.IsMostlyOfOtherColours)
             return null;
         var blob = new BlobShape
         {
@@ -51,26 +49,10 @@ internal sealed class PatchBearing
         if (target.MinColourShare < 1 || shape.Area < MinSidePixels * MinSidePixels)
             return null;
         double pixel = Math.Sqrt(scale.PixelArea);
-        var rectangle = FittedRectangle.Of(OnGround(measure.FindOutline(), shape, scale), pixel);
+        var rectangle = FittedRectangle.Of(
+            _onGround.Project(measure.FindOutline(), shape.CentreX, shape.CentreY, scale), pixel);
         return shape.Area * scale.PixelArea < MinFill * rectangle.Length * rectangle.Width
             ? null
             : PanelClass.BearingOf(rectangle, pixel);
-    }
-
-    // North and east of its centre, metres.
-    private ReadOnlySpan<PicturePoint> OnGround(
-        ReadOnlySpan<PicturePoint> outline, in PatchShape shape, in GroundScale scale)
-    {
-        if (_onGround.Length < outline.Length)
-            _onGround = new PicturePoint[2 * outline.Length];
-        for (int i = 0; i < outline.Length; i++)
-        {
-            (double column, double row) = (outline[i].X - shape.CentreX, outline[i].Y - shape.CentreY);
-            _onGround[i] = new PicturePoint(
-                (scale.NorthByColumn * column) + (scale.NorthByRow * row),
-                (scale.EastByColumn * column) + (scale.EastByRow * row));
-        }
-
-        return _onGround.AsSpan(0, outline.Length);
     }
 }

@@ -18,9 +18,6 @@ internal struct PatchCandidate
     /// <summary>The part of the cost that is of its colour.</summary>
     public double ColourCost;
 
-    /// <summary>Whether less than half of what its class is shows its colour, as of a person the jacket.</summary>
-    public bool IsMostlyOther;
-
     /// <summary>Whether its colour is white.</summary>
     public bool IsWhite;
 

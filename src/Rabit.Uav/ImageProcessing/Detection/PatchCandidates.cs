@@ -25,7 +25,6 @@ internal sealed class PatchCandidates
     private const double MuchCostlier = 9;
     private const double MaxFormCost = 2;
     private const double MuchLargerGroup = 1.2;
-    private const double MuchLargerGroupOfLittle = 1.6;
 
     private readonly PatchCandidate[] _all = new PatchCandidate[Max];
     private readonly int[] _order = new int[Max];
@@ -116,8 +115,7 @@ internal sealed class PatchCandidates
 
     private static bool IsGroup(in PatchCandidate other, in PatchCandidate candidate)
         => other.Parts > 1 && other.Cost <= Math.Min(MaxCost, candidate.Cost + MuchCostlier)
-            && other.Shape.Area
-                > (other.IsMostlyOther ? MuchLargerGroupOfLittle : MuchLargerGroup) * candidate.Shape.Area;
+            && other.Shape.Area > MuchLargerGroup * candidate.Shape.Area;
 
     // Of a small thing the blur mixes ground into a good part: with its faded edge it is of the same form, and only of
     // another colour.

@@ -32,9 +32,6 @@ internal static class PatchCost
     private const double ThinGain = 0.35;
     private const double MaxAspectOfThin = 4;
 
-    /// <summary>Of a class that has less of its colour most is of other colours.</summary>
-    public const double MostlyOther = 0.5;
-
     // Degrees of hue. In simulated flights 7 and more beside a jacket, and mostly below 6 beside a panel.
     private const double MinOther = 8.5;
     private const double MaxOther = 9;
@@ -95,7 +92,7 @@ internal static class PatchCost
     /// its other parts beside that, and what has one colour alone has the ground there.
     /// </summary>
     public static double OfSurroundings(in PatchShape shape, TargetClass target)
-        => target.MinColourShare < MostlyOther ? Square(Math.Max(0, MinOther - shape.OtherBeside) / OtherSigma)
+        => target.IsMostlyOfOtherColours ? Square(Math.Max(0, MinOther - shape.OtherBeside) / OtherSigma)
             : target.MinColourShare == 1 ? Square(Math.Max(0, shape.OtherBeside - MaxOther) / OtherSigma)
             : 0;
 

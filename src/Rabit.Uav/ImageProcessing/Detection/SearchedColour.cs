@@ -36,7 +36,7 @@ internal sealed class SearchedColour(ColourRange colour)
         MaxSideMetres = Math.Max(MaxSideMetres, target.MaxSideMetres);
         MaxSpanMetres = Math.Max(MaxSpanMetres, target.MaxSideMetres * Math.Sqrt(target.MaxAspect));
         _hasWhole |= target.MinColourShare == 1;
-        _hasPart |= target.MinColourShare < PatchCost.MostlyOther;
+        _hasPart |= target.IsMostlyOfOtherColours;
         HasParts |= target.MinColourShare < 1;
     }
 }

@@ -237,8 +237,6 @@ public sealed class ShapeTargetDetector : ITargetDetector
                 (best.Cost, best.ColourCost, best.Class, best.SideMetres) = (cost, ofColour, i, side);
         }
 
-        best.IsMostlyOther = best.Cost <= PatchCandidates.MaxCost
-            && _classes[best.Class].MinColourShare < PatchCost.MostlyOther;
         if (best.Cost <= PatchCandidates.MaxCost)
         {
             best.Bearing = _bearing.Of(shape, _classes[best.Class], scale, _measure);
