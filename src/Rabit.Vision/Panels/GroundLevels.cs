@@ -3,10 +3,13 @@ using System;
 namespace Rabit.Vision;
 
 /// <summary>
-/// How bright the ground is about each pixel: medians of tiles, of which again the median of three by three is taken,
-/// between which it is interpolated. Memory that is used again; one thread.
+/// How bright the ground is about each pixel, or how colourful: medians of tiles, of which again the median of three by
+/// three is taken, between which it is interpolated. Memory that is used again; one thread.
 /// </summary>
-internal sealed class GroundLevels
+/// <param name="ofChroma">
+/// Whether it is of the difference of the strongest and the weakest channel, instead of red + 2 x green + blue.
+/// </param>
+internal sealed class GroundLevels(bool ofChroma = false)
 {
     private const int MinTile = 16;
     private const int MaxTiles = 256;   // across or down
@@ -42,7 +45,7 @@ internal sealed class GroundLevels
             _tiles[i] = MedianOfNine(i % _columns, i / _columns);
     }
 
-    /// <summary>Red + 2 x green + blue of the ground along a row; valid until the next call.</summary>
+    /// <summary>That of the ground along a row; valid until the next call.</summary>
     public float[] Row(int row, int width, int height)
     {
         float y = Place(row, height, _rows, out int top, out int below);
@@ -60,6 +63,10 @@ internal sealed class GroundLevels
 
         return _row;
     }
+
+    /// <summary>What the strongest channel has more than the weakest.</summary>
+    public static int ChromaOf(int red, int green, int blue)
+        => Math.Max(red, Math.Max(green, blue)) - Math.Min(red, Math.Min(green, blue));
 
     // From the centre of one tile to that of the next; beyond the last centres it stays.
     private static float Place(int at, int size, int tiles, out int first, out int second)
@@ -82,7 +89,8 @@ internal sealed class GroundLevels
             for (int x = left; x < right; x += step)
             {
                 int at = ((y * width) + x) * 3;
-                _histogram[pixels[at] + (2 * pixels[at + 1]) + pixels[at + 2]]++;
+                (int red, int green, int blue) = (pixels[at], pixels[at + 1], pixels[at + 2]);
+                _histogram[ofChroma ? ChromaOf(red, green, blue) : red + (2 * green) + blue]++;
                 count++;
             }
         }

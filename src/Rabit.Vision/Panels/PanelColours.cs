@@ -39,6 +39,7 @@ public sealed class PanelColours
         (First, Second) = (first, second);
         DarkPart = PartThat(IsBlack);
         BrightPart = PartThat(IsWhite);
+        HasHue = !IsNeutral(first) || (second is not null && !IsNeutral(second));
         var one = new PatchColour(first);
         PatchColour? other = second is null ? null : new PatchColour(second);
         for (int index = 0; index < Table.Length; index++)
@@ -62,6 +63,9 @@ public sealed class PanelColours
 
     /// <summary>Which one is white: 1 or 2, 0 for none.</summary>
     internal byte BrightPart { get; }
+
+    /// <summary>Whether one of them is neither black nor white.</summary>
+    internal bool HasHue { get; }
 
     /// <summary>By red, green, blue from the high bits: 1 or 2 for what has a hue, else 0.</summary>
     internal byte[] Table { get; } = new byte[1 << (3 * Bits)];

@@ -43,7 +43,12 @@ public sealed class PanelFinder
     // Pixels of white have no colour; that of paper in the shade of the sky is less.
     private const int WhiteChromaShare = 3;
 
+    // So many times the chroma of the ground at least: half of a bright panel's. A JPEG spreads the colour of a panel
+    // over the ground beside it, and in warm light dry grass is yellow.
+    private const float MinChromaByGround = 2.0f;
+
     private readonly GroundLevels _ground = new();
+    private readonly GroundLevels _groundChroma = new(ofChroma: true);
     private readonly PixelMask _parts = new();
     private readonly PixelMask _mask = new();
     private readonly PanelMeasure _measure = new();
@@ -68,6 +73,8 @@ public sealed class PanelFinder
         if (colours is null)
             throw new ArgumentNullException(nameof(colours));
         _ground.Measure(pixels, width, height, TileSides * limits.UsualSide);
+        if (colours.HasHue)
+            _groundChroma.Measure(pixels, width, height, TileSides * limits.UsualSide);
         _parts.Resize(width, height);
         _mask.Resize(width, height);
         if (_queue.Length < width * height)
@@ -110,6 +117,7 @@ public sealed class PanelFinder
     private void Mark(byte[] pixels, int width, int height, int row, PanelColours colours)
     {
         float[] ground = _ground.Row(row, width, height);
+        float[]? groundChroma = colours.HasHue ? _groundChroma.Row(row, width, height) : null;
         byte[] table = colours.Table;
         (byte dark, byte bright) = (colours.DarkPart, colours.BrightPart);
         int to = _parts.At(0, row);
@@ -121,6 +129,8 @@ public sealed class PanelFinder
             byte part = table[
                 (red >> (8 - PanelColours.Bits) << (2 * PanelColours.Bits))
                 | (green >> (8 - PanelColours.Bits) << PanelColours.Bits) | (blue >> (8 - PanelColours.Bits))];
+            if (part != 0 && GroundLevels.ChromaOf(red, green, blue) < MinChromaByGround * groundChroma![column])
+                part = 0;
             if (dark != 0 && level < PanelColours.MaxDarkByGround * ground[column])
                 part = dark;
             else if (bright != 0 && part == 0

@@ -34,6 +34,12 @@ internal sealed class PatchColour
     private const double ContrastSigma = 0.15;
     private const double NeutralSigma = 0.055;
 
+    // Of white, natural logarithms: between red and blue, where light and white balance shift it most, and of green
+    // against both; what is warm and has less of it, as concrete and stone often are, counts more.
+    private const double RedByBlueSigma = 0.095;
+    private const double GreenSigma = 0.037;
+    private const double LittleGreenSigma = 0.025;
+
     // Ground that is paler than that by the picture is concrete or sand: white stands out less against it, but is as
     // bright by the rest of the picture.
     private const double MaxPale = 1.3;
@@ -123,17 +129,16 @@ internal sealed class PatchColour
     }
 
     /// <summary>The same for white or black: by brightness against the ground, and by how little colour.</summary>
-    public double NeutralCost(in PatchShape shape, double level)
+    public double NeutralCost(in PatchShape shape, PictureLight light)
     {
-        double chroma = Math.Max(0, ChromaOf(shape.Red, shape.Green, shape.Blue) - _tint);
         double inside = shape.Red + (2 * shape.Green) + shape.Blue;
         double ground = shape.GroundRed + (2 * shape.GroundGreen) + shape.GroundBlue;
+        int level = light.Level;
         double ratio = IsBright
             ? inside / Math.Max(1, Math.Min(Math.Max(ground, 4 * level), MaxPale * 4 * level))
             : Math.Min(ground, 4 * level) / Math.Max(1, inside);
         double weak = Math.Max(0, Math.Log(Contrast / ratio)) / ContrastSigma;
-        double tint = chroma / NeutralSigma;
-        return (weak * weak) + (tint * tint);
+        return (weak * weak) + (IsWhite ? TintCost(shape, light) : ChromaCost(shape));
     }
 
     /// <summary>
@@ -150,6 +155,23 @@ internal sealed class PatchColour
         };
         return Math.Max(0, FullBrightness - ratio) / BrightnessSigma;
     }
+
+    private double ChromaCost(in PatchShape shape)
+    {
+        double chroma = Math.Max(0, ChromaOf(shape.Red, shape.Green, shape.Blue) - _tint) / NeutralSigma;
+        return chroma * chroma;
+    }
+
+    private static double TintCost(in PatchShape shape, PictureLight light)
+    {
+        (double red, double blue) = (LogOf(shape.Red), LogOf(shape.Blue));
+        double tint = (red - blue - light.LikelyTint) / RedByBlueSigma;
+        double green = LogOf(shape.Green) - ((red + blue) / 2);
+        green /= green < 0 && red > blue ? LittleGreenSigma : GreenSigma;
+        return (tint * tint) + (green * green);
+    }
+
+    private static double LogOf(double level) => Math.Log(Math.Max(1, level));
 
     private static double ChromaLight(double red, double green, double blue)
         => LinearLight.Of(Math.Max(red, Math.Max(green, blue))) - LinearLight.Of(Math.Min(red, Math.Min(green, blue)));

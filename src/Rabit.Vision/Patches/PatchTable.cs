@@ -93,7 +93,7 @@ public sealed class PatchTable
             throw new ArgumentNullException(nameof(light));
         PatchColour colour = _colours[index];
         if (colour.IsNeutral)
-            return colour.NeutralCost(shape, light.Level);
+            return colour.NeutralCost(shape, light);
         double brilliance = colour.Brilliance(shape, light.Level, UsuallyMixed(shape));
         double least = double.PositiveInfinity;
         for (double veil = 0; veil <= 1; veil += 0.5)

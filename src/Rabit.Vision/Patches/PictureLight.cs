@@ -23,6 +23,11 @@ public sealed class PictureLight
     // be green without that limit.
     private const double MinRedGain = 0.85;
 
+    // Natural logarithm of red by blue: of the median of ground, in 150 generated and real pictures; its standard
+    // deviation is 0.15 to 0.2, so little of what a picture differs by is light.
+    private const double UsualTint = 0.2;
+    private const double LightInTint = 0.1;
+
     // A tile that is brighter is filled by one bright thing: its ground is taken to be like the rest.
     private const double MaxTileLevel = 1.5;
 
@@ -66,6 +71,12 @@ public sealed class PictureLight
     /// <summary>The level that the least channel of its whitest pixels has, but for a few of them; 0 to 255.</summary>
     internal int Whitest { get; private set; }
 
+    /// <summary>
+    /// What the light, with what is undone, is likely to make of red by blue, natural logarithm: ground that is redder
+    /// than usual speaks for red light, a little.
+    /// </summary>
+    internal double LikelyTint { get; private set; }
+
     /// <summary>Measures a picture.</summary>
     /// <param name="pixels">Red, green, blue, row by row.</param>
     /// <param name="width">Columns.</param>
@@ -89,6 +100,7 @@ public sealed class PictureLight
             _levels[tile] = (byte)Math.Min(_levels[tile], MaxTileLevel * Level);
         RedGain = Math.Max(MinRedGain, Math.Min(Math.Max(red / green, MinRed), MaxRed) / (red / green));
         BlueGain = Math.Min(Math.Max(blue / green, MinBlue), MaxBlue) / (blue / green);
+        LikelyTint = LightInTint * (Math.Log(red * RedGain / (blue * BlueGain)) - UsualTint);
         Whitest = LevelOfBrightest();
         (RedVeil, GreenVeil, BlueVeil) = (VeilOf(_red, RedGain), VeilOf(_green, 1), VeilOf(_blue, BlueGain));
     }

@@ -33,7 +33,7 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
     [InlineData(4, 60)]
     public void Survey_TruePoses_EveryTargetInEveryPictureIsReportedWhereItIs(int seed, double height)
     {
-        Survey survey = Fly((ulong)seed, height);
+        Survey survey = Survey.Fly((ulong)seed, height);
         double groundSample = height / 530;
 
         (int expected, int found, double squares, double worst) = (0, 0, 0, 0);
@@ -94,7 +94,7 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
     [InlineData(2)]
     public void Survey_ModerateEffects_KeepsItsRecall(int seed)
     {
-        Survey survey = Fly((ulong)seed, 30, c =>
+        Survey survey = Survey.Fly((ulong)seed, 30, c =>
         {
             c.Exposure = TimeSpan.FromMilliseconds(6);
             c.Effects = SimulatedPictureEffects.CreateModerate();
@@ -117,7 +117,7 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
     [InlineData(3)]
     public void Survey_CameraAt45Degrees_KeepsItsRecall(int seed)
     {
-        Survey survey = Fly((ulong)seed, 25, _ => { }, pitchDegrees: -45);
+        Survey survey = Survey.Fly((ulong)seed, 25, _ => { }, pitchDegrees: -45);
 
         SurveyCount count = survey.Count(EdgeMetres, minPixels: 6);
         output.WriteLine($"seed {seed}, -45 degrees: {count}");
@@ -138,7 +138,7 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
     [InlineData(1, -90)]
     public void Survey_TargetsWithADirection_TheirBearingsAreTrueWithinTheirErrors(int seed, double pitchDegrees)
     {
-        Survey survey = Fly(
+        Survey survey = Survey.Fly(
             (ulong)seed, 20, pitchDegrees: pitchDegrees, kinds:
             [
                 SimulatedTargetKind.Car, SimulatedTargetKind.TwoColouredPanel, SimulatedTargetKind.ArUcoMarker,
@@ -164,138 +164,5 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
             .OrderBy(t => survey.ErrorOf(report, t)).First();
         TargetBearing bearing = report.Bearing!.Value;
         return bearing.DistanceTo(nearest.Heading) / bearing.Sigma;
-    }
-
-    private static Survey Fly(
-        ulong seed, double height, Action<SimulatedCameraOptions>? change = null, double pitchDegrees = -90,
-        params SimulatedTargetKind[] kinds)
-    {
-        var camera = new SimulatedCameraOptions();
-        change?.Invoke(camera);
-        var truth = new TruthHistory(400);
-        var frame = new WorldFrame(GeodeticPosition.FromRadians(0.8395, 0.1486, 445));
-        IReadOnlyList<SimulatedTarget> things = TargetField.Place(
-            seed, Scene.Corners((-5, -10), (-5, 65), (75, 65), (75, -10)), 10, 10, kinds, 0);
-        var source = new SimulatedCamera(camera, truth, things, seed);
-        var manager = new ImageProcessingManager(
-            new ImageProcessingOptions
-            {
-                TargetClasses =
-                [
-                    .. TargetClass.Defaults,
-                    .. things.Select(t => t.Declared).OfType<TargetClass>().GroupBy(c => c.Name).Select(c => c.First()),
-                ],
-                Camera = camera.Camera,
-                Mount = new CameraMount
-                {
-                    GimbalLeverArmMetres = new BodyVector(
-                        camera.LeverArmForwardMetres, camera.LeverArmRightMetres, camera.LeverArmDownMetres),
-                },
-            },
-            source);
-        var sink = new ReportSink();
-        var order = new ImagingCommand
-        {
-            Mode = ImagingMode.Search,
-            CameraPitch = Angle.FromDegrees(pitchDegrees),
-            GroundAltitudeAmslMetres = frame.Origin.AltitudeAmslMetres,
-        };
-        var flight = new SurveyFlight(truth, frame, height, order);
-        var reactor = new RabitReactor(new VirtualTime((long)seed))
-        {
-            flight,
-            manager,
-            sink
-        };
-        reactor.Start();
-        reactor.RunFor(TimeSpan.FromSeconds(45));
-        reactor.Stop();
-        Assert.Equal(0, reactor.Finish().ExitCode);
-        Assert.Empty(source.BufferHolders());
-        Assert.InRange(sink.Observations.Count, 85, 90);
-        return new Survey(frame, things, sink, flight);
-    }
-
-    private sealed class Survey(
-        WorldFrame frame, IReadOnlyList<SimulatedTarget> things, ReportSink sink, SurveyFlight flight)
-    {
-        public IReadOnlyList<SimulatedTarget> Things { get; } = things;
-
-        public ReportSink Sink { get; } = sink;
-
-        /// <summary>What of the targets was seen, in the pictures that show them whole and so large.</summary>
-        public SurveyCount Count(double margin, double minPixels)
-        {
-            var count = new SurveyCount();
-            foreach (CameraObservation observation in Sink.Observations)
-            {
-                foreach (SimulatedTarget target in Things.Where(
-                    t => !t.IsDistractor && IsInside(observation, t, margin) && PixelsOf(observation, t) >= minPixels))
-                {
-                    count.Expected++;
-                    count.Found += Sink.Reports.Any(r => r.PictureNumber == observation.Number
-                        && r.Class == target.Class && ErrorOf(r, target) < 1.5) ? 1 : 0;
-                }
-            }
-
-            count.Wrong = Sink.Reports.Count(
-                r => !Things.Any(t => !t.IsDistractor && t.Class == r.Class && ErrorOf(r, t) < 2.5));
-            return count;
-        }
-
-        // The shorter side of the picture of a panel of 1 m, from the middle of the camera's track.
-        private double PixelsOf(CameraObservation observation, SimulatedTarget target)
-        {
-            NedPosition camera = flight.PoseAt(observation.Time).Position;
-            double height = -camera.Down;
-            double range2 = Math.Pow(target.Position.North - camera.North, 2)
-                + Math.Pow(target.Position.East - camera.East, 2) + (height * height);
-            return 530 * height / range2;
-        }
-
-        public double ErrorOf(TargetReport report, SimulatedTarget target)
-        {
-            NedVector at = frame.ToWorld(report.Position);
-            return Math.Sqrt(
-                Math.Pow(at.North - target.Position.North, 2) + Math.Pow(at.East - target.Position.East, 2));
-        }
-
-        public string Describe(TargetReport report)
-        {
-            SimulatedTarget nearest = Things.OrderBy(t => ErrorOf(report, t)).First();
-            return $"{report.Class} in observation {report.PictureNumber}, {report.SizeMetres:F2} m, score "
-                + $"{report.Score:F2}, nearest is {nearest.Name} at {ErrorOf(report, nearest):F1} m";
-        }
-
-        public bool IsInside(CameraObservation observation, SimulatedTarget target, double margin)
-        {
-            NedVector[] corners = [frame.ToWorld(observation.TopLeft), frame.ToWorld(observation.TopRight),
-                frame.ToWorld(observation.BottomRight), frame.ToWorld(observation.BottomLeft)];
-            for (int i = 0; i < 4; i++)
-            {
-                (NedVector a, NedVector b) = (corners[i], corners[(i + 1) % 4]);
-                (double north, double east) = (b.North - a.North, b.East - a.East);
-                double length = Math.Sqrt((north * north) + (east * east));
-
-                // Clockwise seen from above: the inside is to the right.
-                double inside =
-                    ((north * (target.Position.East - a.East)) - (east * (target.Position.North - a.North))) / length;
-                if (inside < margin)
-                    return false;
-            }
-
-            return true;
-        }
-    }
-
-    private sealed class SurveyCount
-    {
-        public int Expected { get; set; }
-
-        public int Found { get; set; }
-
-        public int Wrong { get; set; }
-
-        public override string ToString() => $"{Found} of {Expected} found, {Wrong} wrong";
     }
 }

@@ -35,7 +35,7 @@ public sealed class CombinedTargetDetectorContractTests : TargetDetectorContract
     {
         var painting = new Painting(12);
         painting.Rectangle((93, 81, 30), 320, 240, Painting.Width, Painting.Height, 0);
-        painting.TwoColours((150, 20, 24), (148, 121, 18), 200, 150, 15, 0.3, isChequered: false);
+        painting.TwoColours((150, 20, 24), (148, 121, 24), 200, 150, 15, 0.3, isChequered: false);
         DetectorInput input = Input(painting.Finish(), [.. Classes]);
         var found = new TargetDetection[16];
         CombinedTargetDetector detector = Create();

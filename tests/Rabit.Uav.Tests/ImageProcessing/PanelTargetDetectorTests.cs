@@ -87,6 +87,24 @@ public sealed class PanelTargetDetectorTests(ITestOutputHelper output)
         Assert.Equal(DetectorResult.Found(0), _detector.Detect(Input(painting.Finish()), _found));
     }
 
+    /// <summary>
+    /// A JPEG keeps colours at half the resolution: ground beside a panel is as bright as before, and of its hue.
+    /// </summary>
+    [Fact]
+    public void Detect_ColourThatAJpegSpreadsOverTheGround_IsNotOfThePanel()
+    {
+        var painting = new Painting(8);
+        painting.Rectangle((128, 116, 40), 209, 159, 5, 5, 0);
+        painting.Rectangle((128, 116, 40), 191, 159, 5, 5, 0);
+        painting.TwoColours(Blue, Yellow, 200, 150, 15, 0, isChequered: false);
+
+        Assert.Equal(DetectorResult.Found(1), _detector.Detect(Input(painting.Finish()), _found));
+        Assert.Equal("flag", _found[0].Class.ToString());
+        Assert.InRange(_found[0].SideMetres, 1.05, 1.25);
+        Assert.Equal(200, _found[0].CentreX, 0.3);
+        Assert.Equal(150, _found[0].CentreY, 0.3);
+    }
+
     [Fact]
     public void Detect_FromAslant_MeasuresItOnTheGround()
     {

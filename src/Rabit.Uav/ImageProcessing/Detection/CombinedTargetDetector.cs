@@ -155,6 +155,7 @@ internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts)
 
     internal static bool AreAlike(ColourRange one, ColourRange other)
         => (PanelColours.IsWhite(one) && PanelColours.IsWhite(other))
+            || (PanelColours.IsBlack(one) && PanelColours.IsBlack(other))
             || one.Closeness(other.Red, other.Green, other.Blue) >= MinCloseness;
 
     private static bool IsWithin(in TargetDetection one, in TargetDetection other)

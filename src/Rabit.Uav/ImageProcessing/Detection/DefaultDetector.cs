@@ -26,7 +26,11 @@ internal static class DefaultDetector
         Add(parts, [.. classes.Where(c => c.Marker is not null)], own => new MarkerTargetDetector(own));
         Add(parts, FindPanels(classes), own => new PanelTargetDetector(own));
         Add(parts, [.. classes.Where(c => c.Template is not null)], own => new TemplateTargetDetector(own));
-        Add(parts, FindForms(classes), own => new ShapeTargetDetector(own));
+        ImmutableArray<TargetClass> forms = FindForms(classes);
+        Add(
+            parts, [.. classes.Where(c => IsWhitePanel(c) && !forms.Contains(c))],
+            own => new ShapeTargetDetector(own));
+        Add(parts, forms, own => new ShapeTargetDetector(own));
         return parts.Count == 1 ? parts[0].Detector : new CombinedTargetDetector([.. parts]);
     }
 
@@ -43,12 +47,10 @@ internal static class DefaultDetector
     }
 
     private static ImmutableArray<TargetClass> FindPanels(ImmutableArray<TargetClass> classes)
-    {
-        ImmutableArray<TargetClass> forms = FindForms(classes);
-        return [.. classes.Where(c => c.IsPanel && !forms.Contains(c))];
-    }
+        => [.. classes.Where(c => c.IsPanel && !IsWhitePanel(c))];
 
-    // White panels too, unless that detector knows another white already, as that of a silver car.
+    // White panels too, unless that detector knows another white already, as that of a silver car: then they have one
+    // of their own.
     private static ImmutableArray<TargetClass> FindForms(ImmutableArray<TargetClass> classes)
     {
         ImmutableArray<TargetClass> forms = [.. classes.Where(c => c.IsForm)];
