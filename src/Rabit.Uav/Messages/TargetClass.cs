@@ -102,8 +102,8 @@ public sealed class TargetClass
     public HotSpotTarget? HotSpot { get; init; }
 
     /// <summary>
-    /// Whether <see cref="ImageProcessing.PanelTargetDetector"/> finds it: a panel of two colours, of black or of
-    /// white.
+    /// Whether <see cref="ImageProcessing.PanelTargetDetector"/> can find it: a panel of two colours, of black or of
+    /// white. The default detector finds white ones by their form.
     /// </summary>
     public bool IsPanel => Colour is not null && Marker is null && Template is null && HotSpot is null
         && (SecondColour is not null
@@ -115,7 +115,9 @@ public sealed class TargetClass
     /// </summary>
     internal bool IsForm => Marker is null && Template is null && HotSpot is null && !IsPanel;
 
-    /// <summary>Whether most of it is of other colours, which lie beside its own: of a person the jacket shows it.</summary>
+    /// <summary>
+    /// Whether most of it is of other colours, which lie beside its own: of a person the jacket shows it.
+    /// </summary>
     internal bool IsMostlyOfOtherColours => MinColourShare < HalfOfIt;
 
     // What must be resolved of it as four pixels are of a panel: of a marker, that its cells can be read, and of a

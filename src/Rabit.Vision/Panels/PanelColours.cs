@@ -27,6 +27,10 @@ public sealed class PanelColours
     private const double MaxHueDegrees = 15;
     private const double MinSaturation = 0.55;
     private const double MinChroma = 30;
+    private const float PartOfChroma = 0.45f;
+
+    private readonly float _firstChroma;
+    private readonly float _secondChroma;
 
     /// <summary>Takes the colours.</summary>
     /// <param name="first">One.</param>
@@ -40,6 +44,8 @@ public sealed class PanelColours
         DarkPart = PartThat(IsBlack);
         BrightPart = PartThat(IsWhite);
         HasHue = !IsNeutral(first) || (second is not null && !IsNeutral(second));
+        _firstChroma = PartOfChroma * ChromaOf(first);
+        _secondChroma = second is null ? 0 : PartOfChroma * ChromaOf(second);
         var one = new PatchColour(first);
         PatchColour? other = second is null ? null : new PatchColour(second);
         for (int index = 0; index < Table.Length; index++)
@@ -66,6 +72,12 @@ public sealed class PanelColours
 
     /// <summary>Whether one of them is neither black nor white.</summary>
     internal bool HasHue { get; }
+
+    /// <summary>
+    /// Levels of chroma with which a pixel shows one of them whatever the ground; of one that has a hue.
+    /// </summary>
+    /// <param name="part">1 for the first, 2 for the second.</param>
+    internal float ChromaThatSuffices(int part) => part == 1 ? _firstChroma : _secondChroma;
 
     /// <summary>By red, green, blue from the high bits: 1 or 2 for what has a hue, else 0.</summary>
     internal byte[] Table { get; } = new byte[1 << (3 * Bits)];
@@ -100,6 +112,8 @@ public sealed class PanelColours
     private static bool IsGrey(ColourRange colour) => IsNeutral(colour) && !IsBlack(colour) && !IsWhite(colour);
 
     private static int StrongestOf(ColourRange colour) => Math.Max(colour.Red, Math.Max(colour.Green, colour.Blue));
+
+    private static int ChromaOf(ColourRange colour) => GroundLevels.ChromaOf(colour.Red, colour.Green, colour.Blue);
 
     private static double HueBetween(ColourRange one, ColourRange other)
     {

@@ -43,8 +43,8 @@ public sealed class PanelFinder
     // Pixels of white have no colour; that of paper in the shade of the sky is less.
     private const int WhiteChromaShare = 3;
 
-    // So many times the chroma of the ground at least: half of a bright panel's. A JPEG spreads the colour of a panel
-    // over the ground beside it, and in warm light dry grass is yellow.
+    // A JPEG spreads the colour of a panel over the ground beside it, and in warm light dry grass is yellow: what is of
+    // a panel has twice the chroma of the ground, or nearly half of the nominal one, which is as much in its own shade.
     private const float MinChromaByGround = 2.0f;
 
     private readonly GroundLevels _ground = new();
@@ -129,7 +129,8 @@ public sealed class PanelFinder
             byte part = table[
                 (red >> (8 - PanelColours.Bits) << (2 * PanelColours.Bits))
                 | (green >> (8 - PanelColours.Bits) << PanelColours.Bits) | (blue >> (8 - PanelColours.Bits))];
-            if (part != 0 && GroundLevels.ChromaOf(red, green, blue) < MinChromaByGround * groundChroma![column])
+            if (part != 0 && GroundLevels.ChromaOf(red, green, blue)
+                < Math.Min(MinChromaByGround * groundChroma![column], colours.ChromaThatSuffices(part)))
                 part = 0;
             if (dark != 0 && level < PanelColours.MaxDarkByGround * ground[column])
                 part = dark;

@@ -39,6 +39,7 @@ internal sealed class PatchColour
     private const double RedByBlueSigma = 0.095;
     private const double GreenSigma = 0.037;
     private const double LittleGreenSigma = 0.025;
+    private const double FullyWarm = 0.02;   // red by blue, so that nothing jumps
 
     // Ground that is paler than that by the picture is concrete or sand: white stands out less against it, but is as
     // bright by the rest of the picture.
@@ -167,7 +168,8 @@ internal sealed class PatchColour
         (double red, double blue) = (LogOf(shape.Red), LogOf(shape.Blue));
         double tint = (red - blue - light.LikelyTint) / RedByBlueSigma;
         double green = LogOf(shape.Green) - ((red + blue) / 2);
-        green /= green < 0 && red > blue ? LittleGreenSigma : GreenSigma;
+        double warm = green < 0 ? Clamp((red - blue) / FullyWarm, 0, 1) : 0;
+        green /= GreenSigma + (warm * (LittleGreenSigma - GreenSigma));
         return (tint * tint) + (green * green);
     }
 

@@ -78,7 +78,7 @@ public sealed class PatchTable
     internal PatchColour this[int index] => _colours[index];
 
     /// <summary>
-    /// How unlike the colour of a patch is to one of the table, as the sum of two squared deviations: 0 for the same,
+    /// How unlike the colour of a patch is to one of the table, as the sum of squared deviations: 0 for the same,
     /// up to about 4 in its usual light. The veil of haze, and what the blur of the lens mixes in of the ground, are
     /// taken out first; not for neutral colours.
     /// </summary>

@@ -53,6 +53,7 @@ public sealed class FastFollowTests(ITestOutputHelper output)
         Assert.InRange(captured.Sum(f => f.InView) / (double)captured.Sum(f => f.Samples), 0.95, 1);
         Assert.All(captured, f => Assert.InRange(f.InView / (double)f.Samples, 0.85, 1));
         CheckTracks([.. all.Take(2 * Seeds)], minCaptured: 16);
+        Assert.InRange(captured.Average(f => f.MeanNees), 1.1, NeesLimit(captured.Length, Quantile));
     }
 
     [Fact, Trait("Category", "Long")]

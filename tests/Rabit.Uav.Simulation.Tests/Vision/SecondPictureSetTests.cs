@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 using Xunit;
 using Xunit.Abstractions;
 
@@ -14,11 +13,12 @@ public sealed class SecondPictureSetTests(ITestOutputHelper output)
     // So that no car is cut by the border.
     private const double EdgeMetres = 3.5;
 
-    // 0.05 below the least of the generated sets, 0.98; and as many false alarms a picture as in the best of them.
-    // In light with a tint it is not reached, measured are 0.88 and 0.85: what is white or silver is missed.
+    // 0.05 below the least of the generated sets, 0.98. In light with a tint it is not reached, measured are 0.88 and
+    // 0.85: what is white or silver is missed.
     private const double MinRecall = 0.93;
-    private const double MinRecallWithTint = 0.84;
-    private const double MaxWrongPerPicture = 0.08;
+    private const double MinRecallInWarmLight = 0.87;
+    private const double MinRecallInColdLight = 0.84;
+    private const double MaxWrongPerPicture = 0.03;
 
     private static readonly SimulatedTargetKind[] Kinds =
     [
@@ -28,11 +28,11 @@ public sealed class SecondPictureSetTests(ITestOutputHelper output)
 
     [Theory, Trait("Category", "Long")]
     [InlineData(301, "plain", MinRecall)]
-    [InlineData(306, "warm", MinRecallWithTint)]
-    [InlineData(311, "cold", MinRecallWithTint)]
+    [InlineData(306, "warm", MinRecallInWarmLight)]
+    [InlineData(311, "cold", MinRecallInColdLight)]
     [InlineData(316, "bright", MinRecall)]
     [InlineData(321, "clouds", MinRecall)]
-    public void Survey_SeedsAndLightThatNothingWasChosenOn_KeepsTheRecallOfTheGeneratedSets(
+    public void Survey_SeedsAndLightThatNothingWasChosenOn_FindsMostTargets(
         int firstSeed, string light, double minRecall)
     {
         var all = new SurveyCount();
@@ -43,9 +43,8 @@ public sealed class SecondPictureSetTests(ITestOutputHelper output)
             Survey survey = Survey.Fly(
                 (ulong)seed, heightMetres, camera => camera.Effects = LightOf(light), targets: 12, partlyHidden: 1,
                 kinds: Kinds);
-            SurveyCount count = survey.Count(EdgeMetres, minPixels: 6);
-            output.WriteLine(string.Create(
-                CultureInfo.InvariantCulture, $"seed {seed}, {light}, {heightMetres} m: {count}"));
+            SurveyCount count = survey.Count(EdgeMetres, minPixels: 0);
+            output.WriteLine(FormattableString.Invariant($"seed {seed}, {light}, {heightMetres} m: {count}"));
             foreach (string line in survey.DescribeFaults(EdgeMetres))
                 output.WriteLine("  " + line);
             all.Expected += count.Expected;

@@ -34,8 +34,8 @@ public sealed class CombinedTargetDetectorContractTests : TargetDetectorContract
     public void Detect_HalfOfAPanel_AllocatesNothing()
     {
         var painting = new Painting(12);
-        painting.Rectangle((93, 81, 30), 320, 240, Painting.Width, Painting.Height, 0);
-        painting.TwoColours((150, 20, 24), (148, 121, 24), 200, 150, 15, 0.3, isChequered: false);
+        painting.Rectangle((140, 118, 35), 320, 240, Painting.Width, Painting.Height, 0);
+        painting.TwoColours((205, 28, 32), (243, 214, 28), 200, 150, 15, 0.3, isChequered: false);
         DetectorInput input = Input(painting.Finish(), [.. Classes]);
         var found = new TargetDetection[16];
         CombinedTargetDetector detector = Create();

@@ -204,7 +204,10 @@ public sealed class CombinedTargetDetectorTests
         }
     }
 
-    /// <summary>The form detector knows one white: beside a silver car a white panel is found as a panel.</summary>
+    /// <summary>
+    /// The form detector knows one white: beside a silver car white panels have one of their own, which finds what is
+    /// too small for the detector of panels.
+    /// </summary>
     [Fact]
     public void Detect_WhitePanelBesideASilverCar_IsFound()
     {
@@ -219,11 +222,29 @@ public sealed class CombinedTargetDetectorTests
             MinColourShare = 0.65,
         };
         var painting = new Painting(15);
-        painting.Rectangle(White, 200, 150, 13, 13, 0.3);
+        painting.Rectangle(White, 200, 150, 7.5, 7.5, 0);
         byte[] picture = painting.Finish();
 
         foreach (ImmutableArray<TargetClass> classes in (ImmutableArray<TargetClass>[])[[white], [white, silver]])
-            Assert.Equal(["white"], ClassesOf(Search(picture, classes, classes)));
+            Assert.Equal(["white"], ClassesOf(Search(picture, classes, classes, 1 / 7.5)));
+    }
+
+    /// <summary>Panels of two whites that differ are no fault: there is a detector for each.</summary>
+    [Fact]
+    public void Detect_PanelsOfTwoWhites_AreFound()
+    {
+        TargetClass Panel(string name, byte level, double side) => new(name)
+        {
+            Colour = new ColourRange(level, level, level),
+            MinSideMetres = 0.8 * side,
+            MaxSideMetres = 1.25 * side,
+        };
+        ImmutableArray<TargetClass> classes = [Panel("sheet", 240, 1), Panel("tarpaulin", 225, 2)];
+        var painting = new Painting(16);
+        painting.Rectangle(White, 200, 150, 13, 13, 0.3);
+        painting.Rectangle((225, 225, 222), 400, 300, 26, 26, 0.3);
+
+        Assert.Equal(["sheet", "tarpaulin"], ClassesOf(Search(painting.Finish(), classes, classes)));
     }
 
     [Fact]
@@ -264,11 +285,12 @@ public sealed class CombinedTargetDetectorTests
     }
 
     private TargetDetection[] Search(
-        byte[] picture, ImmutableArray<TargetClass> declared, ImmutableArray<TargetClass> wanted)
+        byte[] picture, ImmutableArray<TargetClass> declared, ImmutableArray<TargetClass> wanted,
+        double metresPerPixel = MetresPerPixel)
     {
         ITargetDetector detector = new ImageProcessingOptions { TargetClasses = declared }.CreateDetector();
         var input = new DetectorInput(
-            picture, Painting.Width, Painting.Height, wanted, PictureGroundScale.Uniform(MetresPerPixel));
+            picture, Painting.Width, Painting.Height, wanted, PictureGroundScale.Uniform(metresPerPixel));
         DetectorResult result = detector.Detect(input, _found);
         Assert.Null(result.Refusal);
         return _found.Take(result.Count).Where(f => !f.IsCut).ToArray();   // as Image Processing does

@@ -82,7 +82,7 @@ internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts)
         for (int i = 0; i < count; i++)
         {
             ref readonly TargetDetection found = ref _found[i];
-            if (part.Find(found.Class) is not { } target || IsPart(found, target, before))
+            if (part.Find(found.Class) is not { } target || IsPart(found, before))
                 continue;
             if (target is { Colour: not null, SecondColour: null } && TryCompletePanel(input, found, target))
                 continue;
@@ -128,12 +128,12 @@ internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts)
         return false;
     }
 
-    // Of what detectors before it have found, but for what is a part of itself.
-    private bool IsPart(in TargetDetection one, TargetClass target, int before)
+    // Of what detectors before it have found, but for what is small on it.
+    private bool IsPart(in TargetDetection one, int before)
     {
         for (int i = 0; i < before; i++)
         {
-            if (_classOfKept[i] is { } own && IsWithin(one, _kept[i]) && !IsPartOf(_kept[i], own, one, target))
+            if (_classOfKept[i] is not null && IsWithin(one, _kept[i]) && !IsMuchLarger(one, _kept[i]))
                 return true;
         }
 
@@ -154,9 +154,15 @@ internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts)
             : large.WidthPixels * large.HeightPixels >= MuchLarger * small.WidthPixels * small.HeightPixels;
 
     internal static bool AreAlike(ColourRange one, ColourRange other)
-        => (PanelColours.IsWhite(one) && PanelColours.IsWhite(other))
-            || (PanelColours.IsBlack(one) && PanelColours.IsBlack(other))
-            || one.Closeness(other.Red, other.Green, other.Blue) >= MinCloseness;
+        => IsNeutral(one) || IsNeutral(other)
+            ? (PanelColours.IsWhite(one) && PanelColours.IsWhite(other))
+                || (PanelColours.IsBlack(one) && PanelColours.IsBlack(other))
+            : one.Closeness(other.Red, other.Green, other.Blue) >= MinCloseness;
+
+    // Its hue is noise.
+    private static bool IsNeutral(ColourRange colour)
+        => PanelColours.IsWhite(colour) || PanelColours.IsBlack(colour)
+            || PanelColours.FindFault(colour, second: null) is not null;
 
     private static bool IsWithin(in TargetDetection one, in TargetDetection other)
         => Math.Abs(one.CentreX - other.CentreX) <= other.WidthPixels / 2

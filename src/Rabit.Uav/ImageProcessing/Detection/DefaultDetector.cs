@@ -8,8 +8,8 @@ using Rabit.Vision;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// Makes the default detector: one for each kind of class that is declared, together as one detector where there are
-/// several.
+/// Makes the default detector: one for each kind of class that is declared, and for each white more than one, together
+/// as one detector where there are several.
 /// </summary>
 internal static class DefaultDetector
 {
@@ -27,9 +27,10 @@ internal static class DefaultDetector
         Add(parts, FindPanels(classes), own => new PanelTargetDetector(own));
         Add(parts, [.. classes.Where(c => c.Template is not null)], own => new TemplateTargetDetector(own));
         ImmutableArray<TargetClass> forms = FindForms(classes);
-        Add(
-            parts, [.. classes.Where(c => IsWhitePanel(c) && !forms.Contains(c))],
-            own => new ShapeTargetDetector(own));
+        foreach (IGrouping<(byte, byte, byte), TargetClass> ofOneWhite in classes
+            .Where(c => IsWhitePanel(c) && !forms.Contains(c))
+            .GroupBy(c => (c.Colour!.Red, c.Colour.Green, c.Colour.Blue)))
+            Add(parts, [.. ofOneWhite], own => new ShapeTargetDetector(own));
         Add(parts, forms, own => new ShapeTargetDetector(own));
         return parts.Count == 1 ? parts[0].Detector : new CombinedTargetDetector([.. parts]);
     }
@@ -49,8 +50,8 @@ internal static class DefaultDetector
     private static ImmutableArray<TargetClass> FindPanels(ImmutableArray<TargetClass> classes)
         => [.. classes.Where(c => c.IsPanel && !IsWhitePanel(c))];
 
-    // White panels too, unless that detector knows another white already, as that of a silver car: then they have one
-    // of their own.
+    // White panels too, unless that detector would have to know two whites, as with a silver car: then there is one
+    // detector more for each white.
     private static ImmutableArray<TargetClass> FindForms(ImmutableArray<TargetClass> classes)
     {
         ImmutableArray<TargetClass> forms = [.. classes.Where(c => c.IsForm)];
