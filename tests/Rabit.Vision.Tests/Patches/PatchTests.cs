@@ -180,6 +180,33 @@ public class PatchTests
         Assert.InRange(silver.CostOf(shape, 0, _light, out _), 0, 1);
     }
 
+    // Up to 2.4 with which white is found: a tint of 6 % in red and blue is light, 15 % are a colour, and warm with less
+    // green is concrete.
+    [Theory]
+    [InlineData(236, 236, 234, 0, 0.1)]
+    [InlineData(250, 236, 221, 0.5, 2.4)]
+    [InlineData(224, 236, 250, 0.5, 2.4)]
+    [InlineData(250, 217, 184, 7, 20)]
+    [InlineData(236, 236, 224, 0.3, 1.5)]
+    [InlineData(244, 219, 221, 4, 10)]
+    public void CostOf_White_IsByWhatLightMayDoToIt(byte red, byte green, byte blue, double min, double max)
+    {
+        byte[] picture = Paint(red, green, blue, left: 20, top: 15, columns: 10, rows: 8);
+        _light.Measure(picture, Width, Height);
+        var shape = new PatchShape
+        {
+            Red = red,
+            Green = green,
+            Blue = blue,
+            GroundRed = 86,
+            GroundGreen = 112,
+            GroundBlue = 70,
+            Area = 80,
+        };
+
+        Assert.InRange(Table.CostOf(shape, 2, _light, out _), min, max);
+    }
+
     [Fact]
     public void New_WhiteTwice_IsRefused()
         => Assert.Throws<ArgumentException>(
