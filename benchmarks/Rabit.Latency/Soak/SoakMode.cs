@@ -40,7 +40,7 @@ internal static class SoakMode
             workspaces += AtOnce;
             if (options.PlantsLeak)
                 Leak();
-            states.Add(ProcessState.Now());
+            states.Add(ProcessState.WhenSettled());
             if (now >= nextLine)
             {
                 Line(output, now, workspaces, runs, states[states.Count - 1]);
