@@ -180,8 +180,8 @@ public class PatchTests
         Assert.InRange(silver.CostOf(shape, 0, _light, out _), 0, 1);
     }
 
-    // Up to 2.4 with which white is found: a tint of 6 % in red and blue is light, 15 % are a colour, and warm with less
-    // green is concrete.
+    // Up to 2.4 with which white is found: a tint of 6 % in red and blue is light, 15 % are a colour, and what is warm
+    // with less green is concrete.
     [Theory]
     [InlineData(236, 236, 234, 0, 0.1)]
     [InlineData(250, 236, 221, 0.5, 2.4)]
