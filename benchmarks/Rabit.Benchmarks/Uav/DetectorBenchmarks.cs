@@ -1,9 +1,11 @@
 using System;
+using System.Collections.Immutable;
 using BenchmarkDotNet.Attributes;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
+using Rabit.Vision;
 
 namespace Rabit.Benchmarks.Uav;
 
@@ -16,7 +18,16 @@ public class DetectorBenchmarks
     private const int Width = 640;
     private const int Height = 480;
 
+    private static readonly ImmutableArray<TargetClass> Flag =
+    [
+        new TargetClass("flag")
+        {
+            Colour = new ColourRange(28, 72, 205), SecondColour = new ColourRange(243, 214, 28),
+        },
+    ];
+
     private readonly ShapeTargetDetector _detector = new(TargetClass.Defaults);
+    private readonly PanelTargetDetector _twoColours = new(Flag);
     private readonly TargetDetection[] _found = new TargetDetection[16];
     private readonly NadirScale _scale = new();
     private readonly byte[] _grass = Paint(panels: 0, spots: 0);
@@ -35,6 +46,10 @@ public class DetectorBenchmarks
 
     [Benchmark]
     public int Panels() => Search(_panels);
+
+    /// <summary>For one class of panels of two hues, by their detector, which runs beside that of forms.</summary>
+    [Benchmark]
+    public int TwoColours() => Search(_panels, _twoColours, Flag);
 
     [Benchmark]
     public int Meadow() => Search(_meadow);
@@ -66,10 +81,12 @@ public class DetectorBenchmarks
         }
     }
 
-    private int Search(byte[] picture)
+    private int Search(byte[] picture) => Search(picture, _detector, TargetClass.Defaults);
+
+    private int Search(byte[] picture, ITargetDetector detector, ImmutableArray<TargetClass> classes)
     {
-        var input = new DetectorInput(picture, Width, Height, TargetClass.Defaults, new PictureGroundScale(_scale));
-        return _detector.Detect(input, _found).Count;
+        var input = new DetectorInput(picture, Width, Height, classes, new PictureGroundScale(_scale));
+        return detector.Detect(input, _found).Count;
     }
 
     private sealed class NadirScale : IGroundScaleSource

@@ -11,11 +11,15 @@ namespace Rabit.Vision;
 /// </param>
 internal sealed class GroundLevels(bool ofChroma = false)
 {
+    // Of chroma few do: it is only compared with what has twice as much.
+    private const int MaxSamplesOfChroma = 64;
+
     private const int MinTile = 16;
     private const int MaxTiles = 256;   // across or down
     private const int MaxSamples = 1024;
     private const int Levels = 1024;    // red + 2 x green + blue
 
+    private readonly int _maxSamples = ofChroma ? MaxSamplesOfChroma : MaxSamples;
     private readonly int[] _histogram = new int[Levels];
     private readonly float[] _nine = new float[9];
     private float[] _medians = [];
@@ -45,20 +49,27 @@ internal sealed class GroundLevels(bool ofChroma = false)
             _tiles[i] = MedianOfNine(i % _columns, i / _columns);
     }
 
+    /// <summary>That of the ground at a pixel; of many, <see cref="Row"/> is faster.</summary>
+    public float At(int column, int row, int width, int height)
+    {
+        float y = Place(row, height, _rows, out int top, out int below);
+        float x = Place(column, width, _columns, out int left, out int right);
+        return Blend(
+            Blend(_tiles[(top * _columns) + left], _tiles[(below * _columns) + left], y),
+            Blend(_tiles[(top * _columns) + right], _tiles[(below * _columns) + right], y), x);
+    }
+
     /// <summary>That of the ground along a row; valid until the next call.</summary>
     public float[] Row(int row, int width, int height)
     {
         float y = Place(row, height, _rows, out int top, out int below);
         for (int i = 0; i < _columns; i++)
-        {
-            float above = _tiles[(top * _columns) + i];
-            _blended[i] = above + (y * (_tiles[(below * _columns) + i] - above));
-        }
+            _blended[i] = Blend(_tiles[(top * _columns) + i], _tiles[(below * _columns) + i], y);
 
         for (int column = 0; column < width; column++)
         {
             float x = Place(column, width, _columns, out int left, out int right);
-            _row[column] = _blended[left] + (x * (_blended[right] - _blended[left]));
+            _row[column] = Blend(_blended[left], _blended[right], x);
         }
 
         return _row;
@@ -67,6 +78,8 @@ internal sealed class GroundLevels(bool ofChroma = false)
     /// <summary>What the strongest channel has more than the weakest.</summary>
     public static int ChromaOf(int red, int green, int blue)
         => Math.Max(red, Math.Max(green, blue)) - Math.Min(red, Math.Min(green, blue));
+
+    private static float Blend(float one, float other, float part) => one + (part * (other - one));
 
     // From the centre of one tile to that of the next; beyond the last centres it stays.
     private static float Place(int at, int size, int tiles, out int first, out int second)
@@ -81,7 +94,7 @@ internal sealed class GroundLevels(bool ofChroma = false)
     {
         (int left, int right) = (column * width / _columns, (column + 1) * width / _columns);
         (int top, int bottom) = (row * height / _rows, (row + 1) * height / _rows);
-        int step = Math.Max(1, (int)Math.Sqrt((right - left) * (bottom - top) / MaxSamples));
+        int step = Math.Max(1, (int)Math.Sqrt((right - left) * (bottom - top) / _maxSamples));
         Array.Clear(_histogram, 0, Levels);
         int count = 0;
         for (int y = top; y < bottom; y += step)

@@ -27,6 +27,8 @@ public sealed class PanelColours
     private const double MaxHueDegrees = 15;
     private const double MinSaturation = 0.55;
     private const double MinChroma = 30;
+
+    // What shows a colour beside the ground, whatever that is: nearly half of it.
     private const float PartOfChroma = 0.45f;
 
     private readonly float _firstChroma;
@@ -44,8 +46,7 @@ public sealed class PanelColours
         DarkPart = PartThat(IsBlack);
         BrightPart = PartThat(IsWhite);
         HasHue = !IsNeutral(first) || (second is not null && !IsNeutral(second));
-        _firstChroma = PartOfChroma * ChromaOf(first);
-        _secondChroma = second is null ? 0 : PartOfChroma * ChromaOf(second);
+        (_firstChroma, _secondChroma) = (ChromaThatShows(first), second is null ? 0 : ChromaThatShows(second));
         var one = new PatchColour(first);
         PatchColour? other = second is null ? null : new PatchColour(second);
         for (int index = 0; index < Table.Length; index++)
@@ -70,11 +71,14 @@ public sealed class PanelColours
     /// <summary>Which one is white: 1 or 2, 0 for none.</summary>
     internal byte BrightPart { get; }
 
+    /// <summary>Whether one of them is black or white, which the brightness of the ground shows.</summary>
+    internal bool HasNeutral => (DarkPart | BrightPart) != 0;
+
     /// <summary>Whether one of them is neither black nor white.</summary>
     internal bool HasHue { get; }
 
     /// <summary>
-    /// Levels of chroma with which a pixel shows one of them whatever the ground; of one that has a hue.
+    /// Levels of chroma with which a pixel shows one of them whatever the ground is; of one that has a hue.
     /// </summary>
     /// <param name="part">1 for the first, 2 for the second.</param>
     internal float ChromaThatSuffices(int part) => part == 1 ? _firstChroma : _secondChroma;
@@ -89,6 +93,13 @@ public sealed class PanelColours
     /// <summary>Whether a colour is white: it has no hue, and is bright.</summary>
     /// <param name="colour">The colour.</param>
     public static bool IsWhite(ColourRange colour) => IsNeutral(colour) && StrongestOf(colour) >= MinWhite;
+
+    /// <summary>Whether a colour is black, white or grey: it has no hue.</summary>
+    /// <param name="colour">The colour.</param>
+    public static bool IsNeutral(ColourRange colour)
+        => ColourRange.Describe(
+            (colour ?? throw new ArgumentNullException(nameof(colour))).Red, colour.Green, colour.Blue).Saturation
+            < PatchColour.MinSaturation;
 
     /// <summary>Why a panel of these colours cannot be found; null if it can.</summary>
     /// <param name="first">One.</param>
@@ -105,15 +116,12 @@ public sealed class PanelColours
         return areSame ? "they are the same, or too near to each other" : null;
     }
 
-    // Black, white or grey.
-    private static bool IsNeutral(ColourRange colour)
-        => ColourRange.Describe(colour.Red, colour.Green, colour.Blue).Saturation < PatchColour.MinSaturation;
-
     private static bool IsGrey(ColourRange colour) => IsNeutral(colour) && !IsBlack(colour) && !IsWhite(colour);
 
     private static int StrongestOf(ColourRange colour) => Math.Max(colour.Red, Math.Max(colour.Green, colour.Blue));
 
-    private static int ChromaOf(ColourRange colour) => GroundLevels.ChromaOf(colour.Red, colour.Green, colour.Blue);
+    private static float ChromaThatShows(ColourRange colour)
+        => PartOfChroma * (float)ColourRange.Describe(colour.Red, colour.Green, colour.Blue).Chroma;
 
     private static double HueBetween(ColourRange one, ColourRange other)
     {

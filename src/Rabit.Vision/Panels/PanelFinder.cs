@@ -72,7 +72,8 @@ public sealed class PanelFinder
         PixelBuffer.Check(pixels, width, height);
         if (colours is null)
             throw new ArgumentNullException(nameof(colours));
-        _ground.Measure(pixels, width, height, TileSides * limits.UsualSide);
+        if (colours.HasNeutral)
+            _ground.Measure(pixels, width, height, TileSides * limits.UsualSide);
         if (colours.HasHue)
             _groundChroma.Measure(pixels, width, height, TileSides * limits.UsualSide);
         _parts.Resize(width, height);
@@ -116,8 +117,7 @@ public sealed class PanelFinder
 
     private void Mark(byte[] pixels, int width, int height, int row, PanelColours colours)
     {
-        float[] ground = _ground.Row(row, width, height);
-        float[]? groundChroma = colours.HasHue ? _groundChroma.Row(row, width, height) : null;
+        float[] ground = colours.HasNeutral ? _ground.Row(row, width, height) : [];
         byte[] table = colours.Table;
         (byte dark, byte bright) = (colours.DarkPart, colours.BrightPart);
         int to = _parts.At(0, row);
@@ -129,9 +129,14 @@ public sealed class PanelFinder
             byte part = table[
                 (red >> (8 - PanelColours.Bits) << (2 * PanelColours.Bits))
                 | (green >> (8 - PanelColours.Bits) << PanelColours.Bits) | (blue >> (8 - PanelColours.Bits))];
-            if (part != 0 && GroundLevels.ChromaOf(red, green, blue)
-                < Math.Min(MinChromaByGround * groundChroma![column], colours.ChromaThatSuffices(part)))
-                part = 0;
+            if (part != 0)
+            {
+                int chroma = GroundLevels.ChromaOf(red, green, blue);
+                if (chroma < colours.ChromaThatSuffices(part)
+                    && chroma < MinChromaByGround * _groundChroma.At(column, row, width, height))
+                    part = 0;
+            }
+
             if (dark != 0 && level < PanelColours.MaxDarkByGround * ground[column])
                 part = dark;
             else if (bright != 0 && part == 0

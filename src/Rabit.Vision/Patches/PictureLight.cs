@@ -27,7 +27,7 @@ public sealed class PictureLight
     // deviation is 0.15 to 0.2, so little of what a picture differs by is light.
     private const double UsualTint = 0.2;
     private const double LightInTint = 0.1;
-    private const double MaxLikelyTint = 0.06;
+    private const double MaxLikelyTint = 0.06;   // from -0.05 on, by what is undone
 
     // A tile that is brighter is filled by one bright thing: its ground is taken to be like the rest.
     private const double MaxTileLevel = 1.5;
@@ -101,8 +101,8 @@ public sealed class PictureLight
             _levels[tile] = (byte)Math.Min(_levels[tile], MaxTileLevel * Level);
         RedGain = Math.Max(MinRedGain, Math.Min(Math.Max(red / green, MinRed), MaxRed) / (red / green));
         BlueGain = Math.Min(Math.Max(blue / green, MinBlue), MaxBlue) / (blue / green);
-        double tint = LightInTint * (Math.Log(red * RedGain / (blue * BlueGain)) - UsualTint);
-        LikelyTint = Math.Max(-MaxLikelyTint, Math.Min(tint, MaxLikelyTint));
+        LikelyTint = Math.Min(
+            MaxLikelyTint, LightInTint * (Math.Log(red * RedGain / (blue * BlueGain)) - UsualTint));
         Whitest = LevelOfBrightest();
         (RedVeil, GreenVeil, BlueVeil) = (VeilOf(_red, RedGain), VeilOf(_green, 1), VeilOf(_blue, BlueGain));
     }

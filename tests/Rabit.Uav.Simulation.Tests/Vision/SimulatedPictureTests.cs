@@ -1,12 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Rabit.Core;
-using Rabit.Geodesy;
-using Rabit.Uav.CameraGeometry;
-using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
-using Rabit.Uav.Simulation.Tests.Camera;
 using Xunit;
 using Xunit.Abstractions;
 

@@ -80,13 +80,11 @@ internal sealed class Survey(
                 t => !t.IsDistractor && IsInside(observation, t, margin) && PixelsOf(observation, t) >= minPixels))
             {
                 count.Expected++;
-                count.Found += Sink.Reports.Any(r => r.PictureNumber == observation.Number
-                    && r.Class == target.Class && ErrorOf(r, target) < 1.5) ? 1 : 0;
+                count.Found += IsReported(target, observation) ? 1 : 0;
             }
         }
 
-        count.Wrong = Sink.Reports.Count(
-            r => !Things.Any(t => !t.IsDistractor && t.Class == r.Class && ErrorOf(r, t) < 2.5));
+        count.Wrong = Sink.Reports.Count(IsOfNothing);
         return count;
     }
 
@@ -96,18 +94,21 @@ internal sealed class Survey(
         foreach (SimulatedTarget target in Things.Where(t => !t.IsDistractor))
         {
             CameraObservation[] seen = [.. Sink.Observations.Where(o => IsInside(o, target, margin))];
-            int missed = seen.Count(o => !Sink.Reports.Any(r => r.PictureNumber == o.Number
-                && r.Class == target.Class && ErrorOf(r, target) < 1.5));
+            int missed = seen.Count(o => !IsReported(target, o));
             if (missed > 0)
                 yield return $"{target.Name} ({target.Class}) missed in {missed} of {seen.Length} pictures";
         }
 
-        foreach (TargetReport report in Sink.Reports)
-        {
-            if (!Things.Any(t => !t.IsDistractor && t.Class == report.Class && ErrorOf(report, t) < 2.5))
-                yield return "wrong: " + Describe(report);
-        }
+        foreach (TargetReport report in Sink.Reports.Where(IsOfNothing))
+            yield return "wrong: " + Describe(report);
     }
+
+    private bool IsReported(SimulatedTarget target, CameraObservation observation)
+        => Sink.Reports.Any(r => r.PictureNumber == observation.Number && r.Class == target.Class
+            && ErrorOf(r, target) < 1.5);
+
+    private bool IsOfNothing(TargetReport report)
+        => !Things.Any(t => !t.IsDistractor && t.Class == report.Class && ErrorOf(report, t) < 2.5);
 
     // The shorter side of the picture of a panel of 1 m, from the middle of the camera's track.
     private double PixelsOf(CameraObservation observation, SimulatedTarget target)

@@ -17,7 +17,7 @@ public sealed class CombinedTargetDetectorPartsTests
     private const double PanelSideMetres = 1;
     private const double PixelsPerMetre = 13;
 
-    private static readonly TargetClass Panel = new("black") { Colour = new ColourRange(24, 24, 26) };
+    private static readonly TargetClass Panel = new("black") { Colour = new ColourRange(26, 24, 24) };
 
     /// <summary>
     /// The limit is 2.5 times the area: a form that took in ground of its hue had up to 2.05 times that of the panel.
@@ -41,7 +41,7 @@ public sealed class CombinedTargetDetectorPartsTests
     public void Detect_PanelBesideAMuchLargerFormOfItsColour_IsFoundToo()
         => Assert.Equal("black, car", Find(Car(24), 3, PanelSideMetres, centreX: 300));
 
-    /// <summary>The hue of black is noise, and that of a red car none of it.</summary>
+    /// <summary>This black is a little red: its hue is noise all the same, and it is no part of a red car.</summary>
     [Fact]
     public void Detect_BlackPanelOnAColouredForm_IsFoundToo()
         => Assert.Equal("black, car", Find(Car(new ColourRange(205, 28, 32)), 3, PanelSideMetres));

@@ -105,6 +105,21 @@ public sealed class PanelTargetDetectorTests(ITestOutputHelper output)
         Assert.Equal(150, _found[0].CentreY, 0.3);
     }
 
+    /// <summary>Lush grass has half of the chroma that a panel has in the shade.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(0.6)]
+    public void Detect_GroundWithMuchColourOfItsOwn_HidesNoPanel(double light)
+    {
+        var painting = new Painting(9);
+        painting.Rectangle((50, 130, 36), 320, 240, Painting.Width, Painting.Height, 0);
+        painting.TwoColours(
+            (28 * light, 72 * light, 205 * light), (243 * light, 214 * light, 28 * light), 200, 150, 15, 0.3, false);
+
+        Assert.Equal(DetectorResult.Found(1), _detector.Detect(Input(painting.Finish()), _found));
+        Assert.Equal("flag", _found[0].Class.ToString());
+    }
+
     [Fact]
     public void Detect_FromAslant_MeasuresItOnTheGround()
     {

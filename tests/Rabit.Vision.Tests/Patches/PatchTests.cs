@@ -207,6 +207,22 @@ public class PatchTests
         Assert.InRange(Table.CostOf(shape, 2, _light, out _), min, max);
     }
 
+    // Red soil is no red light: what its tint says of the light is limited.
+    [Theory]
+    [InlineData(86, 112, 70, 0, 0.005)]
+    [InlineData(120, 120, 75, 0.025, 0.03)]
+    [InlineData(200, 100, 55, 0.06, 0.06)]
+    [InlineData(60, 120, 120, -0.05, -0.045)]
+    public void LikelyTint_Ground_IsATenthOfItsOwnUpToALimit(
+        byte red, byte green, byte blue, double min, double max)
+    {
+        byte[] picture = new byte[Width * Height * 3];
+        Paint(picture, red, green, blue, 0, 0, Width, Height);
+        _light.Measure(picture, Width, Height);
+
+        Assert.InRange(_light.LikelyTint, min, max);
+    }
+
     [Fact]
     public void New_WhiteTwice_IsRefused()
         => Assert.Throws<ArgumentException>(

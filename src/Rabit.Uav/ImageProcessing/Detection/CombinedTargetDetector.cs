@@ -154,15 +154,10 @@ internal sealed class CombinedTargetDetector(ImmutableArray<PartDetector> parts)
             : large.WidthPixels * large.HeightPixels >= MuchLarger * small.WidthPixels * small.HeightPixels;
 
     internal static bool AreAlike(ColourRange one, ColourRange other)
-        => IsNeutral(one) || IsNeutral(other)
+        => PanelColours.IsNeutral(one) || PanelColours.IsNeutral(other)   // whose hue is noise
             ? (PanelColours.IsWhite(one) && PanelColours.IsWhite(other))
                 || (PanelColours.IsBlack(one) && PanelColours.IsBlack(other))
             : one.Closeness(other.Red, other.Green, other.Blue) >= MinCloseness;
-
-    // Its hue is noise.
-    private static bool IsNeutral(ColourRange colour)
-        => PanelColours.IsWhite(colour) || PanelColours.IsBlack(colour)
-            || PanelColours.FindFault(colour, second: null) is not null;
 
     private static bool IsWithin(in TargetDetection one, in TargetDetection other)
         => Math.Abs(one.CentreX - other.CentreX) <= other.WidthPixels / 2

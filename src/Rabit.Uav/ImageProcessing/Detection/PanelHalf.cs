@@ -74,13 +74,11 @@ internal sealed class PanelHalf
     // Black and white lie beside many a thing, as trousers beside a jacket.
     private static ColourRange? OtherOf(TargetClass panel, ColourRange colour)
     {
-        if (panel is not { Colour: { } first, SecondColour: { } second } || !HasHue(first) || !HasHue(second))
+        if (panel is not { Colour: { } first, SecondColour: { } second } || PanelColours.IsNeutral(first) || PanelColours.IsNeutral(second))
             return null;
         return CombinedTargetDetector.AreAlike(first, colour) ? second
             : CombinedTargetDetector.AreAlike(second, colour) ? first : null;
     }
-
-    private static bool HasHue(ColourRange colour) => !PanelColours.IsBlack(colour) && !PanelColours.IsWhite(colour);
 
     private static (int From, int To) Span(double centre, double reach, int size)
         => (Math.Max(0, (int)(centre - reach)), Math.Min(size - 1, (int)(centre + reach)));

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Immutable;
 using System.Linq;
-using System.Runtime.InteropServices;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Messages;
 using Rabit.Vision;
@@ -34,7 +33,7 @@ public sealed class PanelTargetDetector : ITargetDetector
     private readonly PanelFinder _finder = new();
     private readonly PanelChoice _choice = new();
     private readonly OutlineOnGround _onGround = new();
-    private byte[] _copy = [];
+    private readonly PixelArray _pixels = new();
 
     /// <summary>Makes the detector.</summary>
     /// <param name="classes">The classes that it is to find, each a panel.</param>
@@ -54,7 +53,7 @@ public sealed class PanelTargetDetector : ITargetDetector
     {
         if (input.Format != PixelFormat.Rgb24)
             return DetectorResult.NotSearched(DetectorResult.NoColourPicture);
-        byte[] pixels = ArrayOf(input.Pixels);
+        byte[] pixels = _pixels.Of(input.Pixels);
         PixelSides sides = PixelSides.Of(input);
         _choice.Clear();
         foreach (PanelClass one in _classes)
@@ -99,15 +98,5 @@ public sealed class PanelTargetDetector : ITargetDetector
         detection.Bearing = PanelClass.BearingOf(rectangle, pixel);
         detection.Covariance = PanelClass.CovarianceOf(shape);
         return true;
-    }
-
-    private byte[] ArrayOf(ReadOnlyMemory<byte> pixels)
-    {
-        if (MemoryMarshal.TryGetArray(pixels, out ArraySegment<byte> array) && array.Offset == 0)
-            return array.Array!;
-        if (_copy.Length < pixels.Length)
-            _copy = new byte[pixels.Length];
-        pixels.Span.CopyTo(_copy);
-        return _copy;
     }
 }

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Collections.Immutable;
 using System.Linq;
-using System.Runtime.InteropServices;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Messages;
 using Rabit.Vision;
@@ -87,7 +86,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
     private readonly PixelAreas _areas = new();
     private readonly Patch[] _viable = new Patch[MaxViable];
     private readonly bool[] _isGrouped = new bool[MaxViable];
-    private byte[] _copy = [];
+    private readonly PixelArray _pixels = new();
 
     /// <summary>Makes the detector.</summary>
     /// <param name="classes">
@@ -124,7 +123,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
     {
         if (input.Format != PixelFormat.Rgb24)
             return DetectorResult.NotSearched(DetectorResult.NoColourPicture);
-        byte[] pixels = ArrayOf(input.Pixels);
+        byte[] pixels = _pixels.Of(input.Pixels);
         _light.Measure(pixels, input.Width, input.Height);
         if (!_finder.TryFind(pixels, input.Width, input.Height, _table, _light))
             return DetectorResult.NotSearched(TooManySpots);
@@ -307,16 +306,5 @@ public sealed class ShapeTargetDetector : ITargetDetector
         }
 
         return false;
-    }
-
-    // That of the camera is used as it is; other memory is copied.
-    private byte[] ArrayOf(ReadOnlyMemory<byte> pixels)
-    {
-        if (MemoryMarshal.TryGetArray(pixels, out ArraySegment<byte> segment) && segment.Offset == 0)
-            return segment.Array!;
-        if (_copy.Length < pixels.Length)
-            _copy = new byte[pixels.Length];
-        pixels.CopyTo(_copy);
-        return _copy;
     }
 }
