@@ -65,7 +65,7 @@ internal sealed class PanelHalf
         double side = form.SideMetres * Math.Sqrt(2) / pixel;
         ReadOnlySpan<byte> pixels = input.Pixels.Span;
         _step = Math.Max(1, (int)(side / FineSide));
-        _minChroma = MinChroma;
+        _minChroma = MinChroma;   // IsOther also asks it of the ground
         _minChroma = Math.Max(MinChroma, MinChromaByGround * MedianChromaAround(pixels, input, form, side));
         return TryMeasure(pixels, input, form, side, out Half half)
             && TryJoin(form, half, pixel, panel, out whole);
@@ -74,7 +74,8 @@ internal sealed class PanelHalf
     // Black and white lie beside many a thing, as trousers beside a jacket.
     private static ColourRange? OtherOf(TargetClass panel, ColourRange colour)
     {
-        if (panel is not { Colour: { } first, SecondColour: { } second } || PanelColours.IsNeutral(first) || PanelColours.IsNeutral(second))
+        if (panel is not { Colour: { } first, SecondColour: { } second }
+            || PanelColours.IsNeutral(first) || PanelColours.IsNeutral(second))
             return null;
         return CombinedTargetDetector.AreAlike(first, colour) ? second
             : CombinedTargetDetector.AreAlike(second, colour) ? first : null;
