@@ -31,11 +31,12 @@ internal sealed class PatchColour
     // White is twice as bright as ground by the curve of sRGB, which is five times the light; a light grey less.
     private const double FullContrast = 1.9;
     private const double LevelOfWhite = 236;
+    private const double MinPartOfWhite = 0.4;
     private const double ContrastSigma = 0.15;
     private const double NeutralSigma = 0.055;
 
-    // Of white, natural logarithms: between red and blue, where light and white balance shift it most, and of green
-    // against both; what is warm and has less of it, as concrete and stone often are, counts more.
+    // Of white and light greys, natural logarithms: between red and blue, where light and white balance shift it most,
+    // and of green against both; what is warm and has less of it, as concrete and stone often are, counts more.
     private const double RedByBlueSigma = 0.095;
     private const double GreenSigma = 0.037;
     private const double LittleGreenSigma = 0.025;
@@ -58,7 +59,9 @@ internal sealed class PatchColour
 
     private readonly double _hue;
     private readonly double _saturation;
-    private readonly double _tint;   // of a grey: its own, which is none of the light
+    private readonly double _redByBlue;   // of a light grey: its own, which is none of the light; logarithm
+    private readonly double _green;       // the same, against both
+    private readonly double _tint;        // the same of a dark one, chroma
     private readonly int _strongest;
     private readonly double _turn;   // of the hue by overexposure, degrees
     private readonly double _brilliance;   // light in its colour, of that of usual ground
@@ -69,10 +72,12 @@ internal sealed class PatchColour
         _strongest = colour.Red >= colour.Green && colour.Red >= colour.Blue ? 0 : colour.Green >= colour.Blue ? 1 : 2;
         IsNeutral = _saturation < MinSaturation;
         IsWhite = IsNeutral && Math.Min(colour.Red, Math.Min(colour.Green, colour.Blue)) >= MinWhite;
-        _tint = IsWhite ? 0 : ChromaOf(colour.Red, colour.Green, colour.Blue);
+        _tint = ChromaOf(colour.Red, colour.Green, colour.Blue);
+        (_redByBlue, _green) = IsWhite ? (0, 0) : TintOf(colour.Red, colour.Green, colour.Blue);
         int most = Math.Max(colour.Red, Math.Max(colour.Green, colour.Blue));
         IsBright = most >= 128;
         Contrast = IsBright ? FullContrast * Math.Min(1, most / LevelOfWhite) : FullContrast;
+        PartOfWhite = IsNeutral && IsBright ? Math.Max(MinPartOfWhite, (Contrast - 1) / (FullContrast - 1)) : 1;
         (double hue, _, _) = ColourRange.Describe(
             Math.Min(255, Overexposure * colour.Red), Math.Min(255, Overexposure * colour.Green),
             Math.Min(255, Overexposure * colour.Blue));
@@ -88,6 +93,9 @@ internal sealed class PatchColour
 
     /// <summary>Of a neutral one: how many times as bright as the ground it is, by the curve of sRGB.</summary>
     public double Contrast { get; }
+
+    /// <summary>Of a light grey, its contrast with usual ground as a part of that of white; 1 for all others.</summary>
+    public double PartOfWhite { get; }
 
     /// <summary>White, and no grey: nothing that is lit as it is and is no lamp is brighter.</summary>
     public bool IsWhite { get; }
@@ -138,8 +146,10 @@ internal sealed class PatchColour
         double ratio = IsBright
             ? inside / Math.Max(1, Math.Min(Math.Max(ground, 4 * level), MaxPale * 4 * level))
             : Math.Min(ground, 4 * level) / Math.Max(1, inside);
-        double weak = Math.Max(0, Math.Log(Contrast / ratio)) / ContrastSigma;
-        return (weak * weak) + (IsWhite ? TintCost(shape, light) : ChromaCost(shape));
+        double off = Math.Log(ratio / Contrast);
+        double weak = Math.Max(0, -off) / ContrastSigma;
+        double bright = IsWhite ? 1 + Math.Max(0, off) : 1;   // no stone is brighter than white usually is
+        return (weak * weak) + (IsBright ? TintCost(shape, light) / (bright * bright) : ChromaCost(shape));
     }
 
     /// <summary>
@@ -163,14 +173,29 @@ internal sealed class PatchColour
         return chroma * chroma;
     }
 
-    private static double TintCost(in PatchShape shape, PictureLight light)
+    // Lush grass has little blue in any light: what is undone for that may be too much, so the likelier of both counts.
+    private double TintCost(in PatchShape shape, PictureLight light)
     {
-        (double red, double blue) = (LogOf(shape.Red), LogOf(shape.Blue));
-        double tint = (red - blue - light.LikelyTint) / RedByBlueSigma;
-        double green = LogOf(shape.Green) - ((red + blue) / 2);
-        double warm = green < 0 ? Clamp((red - blue) / FullyWarm, 0, 1) : 0;
-        green /= GreenSigma + (warm * (LittleGreenSigma - GreenSigma));
-        return (tint * tint) + (green * green);
+        double cost = TintCost(shape.Red, shape.Green, shape.Blue, light.LikelyTint);
+        return light.BlueGain <= 1 ? cost
+            : Math.Min(cost, TintCost(shape.Red, shape.Green, shape.Blue / light.BlueGain, light.LikelyTint));
+    }
+
+    private double TintCost(double red, double green, double blue, double likelyTint)
+    {
+        (double redByBlue, double againstBoth) = TintOf(red, green, blue);
+        redByBlue -= _redByBlue;
+        againstBoth -= _green;
+        double tint = (redByBlue - likelyTint) / RedByBlueSigma;
+        double warm = againstBoth < 0 ? Clamp(redByBlue / FullyWarm, 0, 1) : 0;
+        againstBoth /= GreenSigma + (warm * (LittleGreenSigma - GreenSigma));
+        return (tint * tint) + (againstBoth * againstBoth);
+    }
+
+    private static (double RedByBlue, double Green) TintOf(double red, double green, double blue)
+    {
+        (double logRed, double logBlue) = (LogOf(red), LogOf(blue));
+        return (logRed - logBlue, LogOf(green) - ((logRed + logBlue) / 2));
     }
 
     private static double LogOf(double level) => Math.Log(Math.Max(1, level));

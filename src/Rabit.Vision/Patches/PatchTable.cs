@@ -114,6 +114,13 @@ public sealed class PatchTable
     /// <param name="index">The colour.</param>
     public bool IsWhite(int index) => _colours[index].IsWhite;
 
+    /// <summary>
+    /// Of a light grey, its contrast with usual ground as a part of that of white: what varies on it and around it is
+    /// the larger against that. 1 for all others.
+    /// </summary>
+    /// <param name="index">Of the colours it was made for.</param>
+    public double PartOfWhite(int index) => _colours[index].PartOfWhite;
+
     /// <summary>How much darker against the ground a patch is than one of its colour should be, squared.</summary>
     /// <param name="shape">What was measured of the patch.</param>
     /// <param name="index">The colour; 0 for white and black.</param>

@@ -32,6 +32,9 @@ public sealed class PictureLight
     // A tile that is brighter is filled by one bright thing: its ground is taken to be like the rest.
     private const double MaxTileLevel = 1.5;
 
+    // Nor is it brighter than the median of the tiles around it by more: a car that fills one fills few beside it.
+    private const double MaxAround = 1.15;
+
     // The darkest of the pixels, a five hundredth, are deep shade: about half of what comes from there is haze. More
     // than so much light is none, but ground without anything dark.
     private const int DarkestPart = 500;
@@ -46,6 +49,7 @@ public sealed class PictureLight
     private readonly int[] _green = new int[256];
     private readonly int[] _blue = new int[256];
     private readonly int[] _least = new int[256];
+    private readonly byte[] _measured = new byte[Tiles * Tiles];
     private readonly byte[] _levels = new byte[Tiles * Tiles];
     private long _count; // of the pixels that were measured
     private int _width = 1;
@@ -97,8 +101,7 @@ public sealed class PictureLight
         (double red, double green, double blue) =
             (Math.Max(1, Median(_red)), Math.Max(1, Median(_green)), Math.Max(1, Median(_blue)));
         Level = (int)green;
-        for (int tile = 0; tile < _levels.Length; tile++)
-            _levels[tile] = (byte)Math.Min(_levels[tile], MaxTileLevel * Level);
+        LimitTiles();
         RedGain = Math.Max(MinRedGain, Math.Min(Math.Max(red / green, MinRed), MaxRed) / (red / green));
         BlueGain = Math.Min(Math.Max(blue / green, MinBlue), MaxBlue) / (blue / green);
         LikelyTint = Math.Min(
@@ -126,6 +129,35 @@ public sealed class PictureLight
 
     private double VeilOf(int[] histogram, double gain)
         => Math.Min(MaxVeil, VeilInShade * LinearLight.Of(gain * LevelOfPart(histogram, DarkestPart, _count)));
+
+    private void LimitTiles()
+    {
+        _levels.CopyTo(_measured, 0);
+        for (int tile = 0; tile < _levels.Length; tile++)
+        {
+            double around = MaxAround * MedianAround(tile % Tiles, tile / Tiles);
+            _levels[tile] = (byte)Math.Min(_levels[tile], Math.Min(around, MaxTileLevel * Level));
+        }
+    }
+
+    private int MedianAround(int across, int down)
+    {
+        int count = 0;
+        Span<byte> levels = stackalloc byte[9];
+        for (int row = Math.Max(0, down - 1); row <= Math.Min(Tiles - 1, down + 1); row++)
+        {
+            for (int column = Math.Max(0, across - 1); column <= Math.Min(Tiles - 1, across + 1); column++)
+            {
+                byte level = _measured[(row * Tiles) + column];
+                int at = count++;
+                for (; at > 0 && levels[at - 1] > level; at--)
+                    levels[at] = levels[at - 1];
+                levels[at] = level;
+            }
+        }
+
+        return levels[count / 2];
+    }
 
     private int LevelOfBrightest()
     {

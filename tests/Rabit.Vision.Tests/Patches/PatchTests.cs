@@ -223,6 +223,17 @@ public class PatchTests
         Assert.InRange(_light.LikelyTint, min, max);
     }
 
+    /// <summary>What fills a tile, as a car seen from low above, does not make the ground there brighter.</summary>
+    [Fact]
+    public void LevelAt_BrightThingThatFillsATile_IsThatOfTheGroundAround()
+    {
+        byte[] picture = Paint(150, 150, 150, Width / 4, Height / 4, Width / 4, Height / 4);
+        _light.Measure(picture, Width, Height);
+
+        Assert.InRange(_light.LevelAt((Width / 4) + 2, (Height / 4) + 2), 95, 1.15 * 95);
+        Assert.Equal(95, _light.LevelAt(1, 1));
+    }
+
     [Fact]
     public void New_WhiteTwice_IsRefused()
         => Assert.Throws<ArgumentException>(

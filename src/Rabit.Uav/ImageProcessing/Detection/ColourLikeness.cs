@@ -12,4 +12,7 @@ internal struct ColourLikeness
 
     /// <summary>White or black.</summary>
     public bool IsNeutral;
+
+    /// <summary>Its contrast with usual ground as a part of that of white; 1 for all but a light grey.</summary>
+    public double PartOfWhite;
 }

@@ -37,6 +37,12 @@ internal static class PatchCost
     private const double MaxOther = 9;
     private const double OtherSigma = 2;
 
+    // Of what is white or grey: a square may be a slab of concrete, which its tint shows; a car has a size and a form
+    // that few pale things have, and its tint says less, the more of it is of other colours.
+    private const double TintWeight = 3;
+    private const double TintWeightOfParts = 3;
+    private const double MinTintWeight = 1.9;
+
     // A filled rectangle of area A has sigma_long * sigma_short = A / 12.
     private const double RectangleFactor = 12;
 
@@ -69,14 +75,15 @@ internal static class PatchCost
         cost += Square(Math.Max(0, shape.Outline - 1.3 - (3 * other)) / 0.15);
         cost += Square(shape.Continuation / 0.1);
         cost += Square(Math.Max(0, shape.Unevenness - 0.15 - (0.2 * other)) / 0.08);
-        cost += Square(Math.Max(0, shape.GroundNoise - (colour.IsNeutral ? 0.15 : 0.1)) / 0.08);
+        double noise = colour.IsNeutral ? 0.15 / colour.PartOfWhite : 0.1;
+        cost += Square(Math.Max(0, shape.GroundNoise - noise) / 0.08);
         cost += colour.Darkness;
         ofColour = 0;
         if (colour.IsNeutral)
         {
-            cost += 3 + (3 * colour.Cost);
+            cost += 3 + (Math.Max(MinTintWeight, TintWeight - (TintWeightOfParts * other)) * colour.Cost);
             cost += Square(Math.Max(0, 8 - root) / 0.65);
-            cost += Square(Math.Max(0, shape.Unevenness - 0.02 - (0.3 / root)) / 0.015);
+            cost += Square(Math.Max(0, shape.Unevenness - ((0.02 + (0.3 / root)) / colour.PartOfWhite)) / 0.015);
             cost += Square(Math.Max(0, 130 - shape.Contrast) / 30);
             return cost;
         }

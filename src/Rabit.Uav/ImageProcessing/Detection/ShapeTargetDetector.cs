@@ -220,6 +220,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
             Cost = _table.CostOf(shape, best.Colour, _light, out mixed),
             Darkness = _table.DarknessOf(shape, best.Colour),
             IsNeutral = _table.IsNeutral(best.Colour),
+            PartOfWhite = _table.PartOfWhite(best.Colour),
             Mixed = mixed,
         };
         bool isShared = _colours[best.Colour].IsSharedWithPart;
