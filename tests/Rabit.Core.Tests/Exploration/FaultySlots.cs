@@ -29,12 +29,10 @@ internal sealed class FaultySlots(SlotScenario scenario, SeededSlotFault fault) 
         return Publish(slot, spares, isPlain || fault == SeededSlotFault.NoSwap);
     }
 
-    public override int Load(out int first, out int second)
+    public override int Load(out TwoWordsCopier fetched)
     {
-        var copier = default(TwoWordsCopier);
-        int version = Load(ref copier);
-        (first, second) = (copier.First, copier.Second);
-        return version;
+        fetched = default;
+        return LoadInto(ref fetched);
     }
 
     private TwoWords Take(SpareSlots spares)
@@ -78,9 +76,9 @@ internal sealed class FaultySlots(SlotScenario scenario, SeededSlotFault fault) 
         }
     }
 
-    private int Load(ref TwoWordsCopier copier)
+    private int LoadInto(ref TwoWordsCopier copier)
     {
-        for (int i = 0; i < scenario.Tries; i++)
+        for (int i = 0; i < scenario.Tries || fault == SeededSlotFault.NeverPins; i++)
         {
             long word = Sync.VolatileRead(ref _latest);
             TwoWords slot = _slots[LatestSlot.IndexOf(word)];

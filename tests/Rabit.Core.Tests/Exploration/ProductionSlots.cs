@@ -18,11 +18,9 @@ internal sealed class ProductionSlots : SlotsUnderTest
     public override int Store(int value, SpareSlots spares)
         => _pool.Store(new TwoWordsCopier(value), spares, ref _latest);
 
-    public override int Load(out int first, out int second)
+    public override int Load(out TwoWordsCopier fetched)
     {
-        var copier = default(TwoWordsCopier);
-        int version = _pool.Load(ref copier, ref _latest);
-        (first, second) = (copier.First, copier.Second);
-        return version;
+        fetched = default;
+        return _pool.Load(ref fetched, ref _latest);
     }
 }

@@ -6,6 +6,9 @@ public enum SeededSlotFault
     /// <summary>None: what is left is right.</summary>
     None,
 
+    /// <summary>A fetcher whose tries were all spoilt by posts tries on, for as long as posts spoil them.</summary>
+    NeverPins,
+
     /// <summary>A fetcher that has pinned does not look whether the slot is still the latest.</summary>
     PinWithoutARecheck,
 

@@ -73,6 +73,25 @@ public sealed class SlotExplorationTests(ITestOutputHelper output)
         Assert.NotNull(wrong.Fault);
     }
 
+    /// <summary>
+    /// That a fetcher is not starved (contract 2.4) is found too: posts that come all the way around at each of its
+    /// tries keep it for no more of them than it has, since it pins then.
+    /// </summary>
+    [Fact, Trait("Clause", "2.4")]
+    public void Exploration_OfATwinThatNeverPins_FindsTheFetchThatTriesOn()
+    {
+        SlotScenario scenario = ScenarioFor(SeededSlotFault.NeverPins);
+
+        ExplorationResult right = Explore(
+            MemoryModel.StoreBuffers, scenario, new FaultySlots(scenario, SeededSlotFault.None));
+        ExplorationResult wrong = Explore(
+            MemoryModel.StoreBuffers, scenario, new FaultySlots(scenario, SeededSlotFault.NeverPins));
+
+        output.WriteLine(wrong.ToString());
+        Assert.True(right.Fault is null, right.ToString());
+        Assert.Equal(SlotModel.TriesOn, wrong.Fault);
+    }
+
     /// <summary>The twin is right but for its fault.</summary>
     [Theory]
     [InlineData(SeededSlotFault.NoSwap)]
@@ -107,8 +126,8 @@ public sealed class SlotExplorationTests(ITestOutputHelper output)
     private static SlotScenario ScenarioFor(SeededSlotFault fault) => fault switch
     {
         SeededSlotFault.NoSwap => new SlotScenario([1, 1], 1, 1, 1),
-        SeededSlotFault.VersionAfterTheValue or SeededSlotFault.NoStoreBarrier or SeededSlotFault.NoLoadBarrier
-            or SeededSlotFault.DemandIgnored or SeededSlotFault.DemandWithoutAFence =>
+        SeededSlotFault.NeverPins or SeededSlotFault.VersionAfterTheValue or SeededSlotFault.NoStoreBarrier
+            or SeededSlotFault.NoLoadBarrier or SeededSlotFault.DemandIgnored or SeededSlotFault.DemandWithoutAFence =>
                 new SlotScenario([5], 1, 1, 1),
         _ => new SlotScenario([3], 1, 1, 0),
     };

@@ -11,6 +11,9 @@ namespace Rabit.Core.Tests.Exploration;
 /// </summary>
 internal sealed class SlotModel : ExploredModel
 {
+    /// <summary>What is found of a fetch that tries on although it has had its tries.</summary>
+    public const string TriesOn = "a fetch goes on copying what posts spoil";
+
     private readonly SlotsUnderTest _slots;
     private readonly SlotScenario _scenario;
     private readonly List<ExploredThread> _threads = [];
@@ -79,9 +82,11 @@ internal sealed class SlotModel : ExploredModel
         public override object? Run(object from)
         {
             (int done, int seen) = (At)from;
-            int version = model._slots.Load(out int first, out int second);
-            ExploredSyncPoints.Note((version, first, second, seen), state =>
+            int version = model._slots.Load(out TwoWordsCopier fetched);
+            (int first, int second, int copies) = (fetched.First, fetched.Second, fetched.Copies);
+            ExploredSyncPoints.Note((version, first, second, copies, seen), state =>
             {
+                state.Require(copies <= model._scenario.Tries + 1, TriesOn);
                 state.Require(version >= seen, "a fetch went back");
                 state.Require(first == second, $"torn: {first} and {second}");
                 state.Require(

@@ -8,6 +8,7 @@ internal abstract class SlotsUnderTest
     /// <returns>The version.</returns>
     public abstract int Store(int value, SpareSlots spares);
 
+    /// <param name="fetched">The value, and how often one was copied until it was whole.</param>
     /// <returns>The version.</returns>
-    public abstract int Load(out int first, out int second);
+    public abstract int Load(out TwoWordsCopier fetched);
 }

@@ -9,6 +9,9 @@ internal struct TwoWordsCopier(int value) : ISlotCopier<TwoWords>
 
     public int Second { get; private set; } = value;
 
+    /// <summary>How often a value was copied from a slot.</summary>
+    public int Copies { get; private set; }
+
     public readonly void CopyTo(TwoWords slot)
     {
         default(ExploredSyncPoints).Write(ref slot.First, First);
@@ -17,6 +20,7 @@ internal struct TwoWordsCopier(int value) : ISlotCopier<TwoWords>
 
     public void CopyFrom(TwoWords slot)
     {
+        Copies++;
         First = default(ExploredSyncPoints).Read(ref slot.First);
         Second = default(ExploredSyncPoints).Read(ref slot.Second);
     }

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core.Messages;
@@ -44,6 +45,30 @@ public sealed class SlotPoolTests
                 Assert.Equal(point != last, message.Posted > 1);
             }
         }
+    }
+
+    /// <summary>Neither side starves the other, however fast the posts come: each copy is overwritten.</summary>
+    [Theory, Trait("Clause", "2.4")]
+    [MemberData(nameof(Ways))]
+    public void Load_PostsComeAllTheWayAroundInEachCopy_PinsAfterTheLastTry(bool isAlone, int tries)
+    {
+        const int AllTheWayAround = Spares + 1;
+        var message = new Message<SyncPoints>(isAlone, tries);
+        message.Post(1);
+        int copies = 0;
+        var value = new NumberCopier(0, () =>
+        {
+            Assert.True(++copies <= tries + 1, "The fetch goes on copying what posts spoil.");
+            message.PostMany(AllTheWayAround);
+        });
+
+        int version = message.Load(ref value);
+
+        Assert.Equal(tries + 1, copies);
+        Assert.Equal(1 + (tries * AllTheWayAround), version);   // the latest when it pinned
+        Assert.Equal(version, value.Number);
+        Assert.Equal(version + AllTheWayAround, message.Posted);
+        message.AssertLatest(message.Posted);
     }
 
     [Theory, Trait("Clause", "2.3")]
@@ -150,12 +175,18 @@ public sealed class SlotPoolTests
         public int Number;
     }
 
-    private struct NumberCopier(int number) : ISlotCopier<NumberSlot>
+    /// <param name="number">The value.</param>
+    /// <param name="inFrontOfACopy">What others do while this one copies the value of a slot.</param>
+    private struct NumberCopier(int number, Action? inFrontOfACopy = null) : ISlotCopier<NumberSlot>
     {
         public int Number { get; private set; } = number;
 
         public readonly void CopyTo(NumberSlot slot) => slot.Number = Number;
 
-        public void CopyFrom(NumberSlot slot) => Number = slot.Number;
+        public void CopyFrom(NumberSlot slot)
+        {
+            inFrontOfACopy?.Invoke();
+            Number = slot.Number;
+        }
     }
 }
