@@ -4,6 +4,7 @@ using Rabit.Core.Diagnostics;
 using Rabit.Core.Locks;
 using Rabit.Core.Managers;
 using Rabit.Core.Time;
+using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Supervision;
 
@@ -17,14 +18,19 @@ namespace Rabit.Core.Supervision;
 /// lock; a manager that finds its stage marked passes through that lock before it posts. One that does not hang takes
 /// no lock. Where the manager has requested a priority the lock passes it on: the watchdog may be displaced from its
 /// processor while it posts.
+/// <para>
+/// The other one: the manager leaves the stage, and may enter the next, between the watchdog's look and its mark. Then
+/// the mark fails, and nothing is posted or reported.
+/// </para>
 /// </remarks>
-internal sealed class HangWatch(RabitManager manager, ManagerRun run)
+internal class HangWatch<TSync>(RabitManager manager, ManagerRun run)
+    where TSync : struct, ISyncPoints
 {
     /// <summary>What a manager does that is in none of its code.</summary>
     public const string Sleeping = "sleeping";
 
     private readonly EndpointLock _posting = new(manager.RealTimeRequest?.Priority is not null);
-    private readonly StageMark _mark = new();
+    private readonly StageMark<TSync> _mark = new();
     private string? _lastHang;        // written by the watchdog under _posting; read by the manager after it passed it
     private long _count;              // same
     private TimeSpan? _modelledEnd;   // in virtual time only, where there is one thread
@@ -158,3 +164,6 @@ internal sealed class HangWatch(RabitManager manager, ManagerRun run)
             FormattableString.Invariant($"has returned, at {now.TotalSeconds:0.000} s"));
     }
 }
+
+/// <inheritdoc/>
+internal sealed class HangWatch(RabitManager manager, ManagerRun run) : HangWatch<SyncPoints>(manager, run);

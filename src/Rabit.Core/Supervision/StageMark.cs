@@ -13,7 +13,7 @@ namespace Rabit.Core.Supervision;
 /// leaves with an exchange, so either the mark comes first and the manager sees it, or the watchdog's mark fails.
 /// The tests explore every interleaving of this very code (docs/concepts/proof.md).
 /// </remarks>
-internal class StageMark<TSync>
+internal sealed class StageMark<TSync>
     where TSync : struct, ISyncPoints
 {
     private const int StageBits = 3;
@@ -55,6 +55,3 @@ internal class StageMark<TSync>
     private static ManagerStage? StageOf(int word)
         => (word & StageBits) == 0 ? null : (ManagerStage)((word & StageBits) - 1);
 }
-
-/// <inheritdoc/>
-internal sealed class StageMark : StageMark<SyncPoints>;
