@@ -58,15 +58,57 @@ public sealed class LoneSenderCloseExplorationTests(ITestOutputHelper output)
         string memory, bool isFenced, int pushes, int pops, bool looks)
         => AssertNothingIsLost(memory, isFenced, pushes, pops, looks);
 
+    /// <summary>That the exploration finds what it is for.</summary>
+    [Theory, Trait("Clause", "3.5")]
+    [InlineData(SeededCloseFault.CountersBeforeTheClose, "are counted")]
+    [InlineData(SeededCloseFault.TailNotSettled, "are counted")]
+    [InlineData(SeededCloseFault.NoFenceOnAllThreads, "are counted")]
+    [InlineData(SeededCloseFault.CountersByTheTail, "are counted")]
+    [InlineData(SeededCloseFault.NoLookOfThePush, "are counted")]
+    [InlineData(SeededCloseFault.AlwaysInTime, "are counted")]
+    [InlineData(SeededCloseFault.SequenceBeforeTheTail, "were taken out of")]
+    [InlineData(SeededCloseFault.ReceiverBySequenceAlone, "were taken out of")]
+    [InlineData(SeededCloseFault.ReceiverLooksForTheSettledTail, "were taken out of")]
+    public void Exploration_OfATwinWithAFault_FindsIt(SeededCloseFault fault, string expected)
+    {
+        ExplorationResult right = ExploreTwin("StoreBuffers", SeededCloseFault.None);
+        ExplorationResult wrong = ExploreTwin("StoreBuffers", fault);
+
+        output.WriteLine(wrong.ToString());
+        Assert.True(right.Fault is null, right.ToString());
+        Assert.Contains(expected, wrong.Fault, StringComparison.Ordinal);
+    }
+
+    /// <summary>What the fence on all threads is for is not seen where each write is seen at once.</summary>
+    [Fact]
+    public void Exploration_WithoutStoreBuffers_DoesNotFindTheMissingFence()
+        => Assert.Null(ExploreTwin("SequentiallyConsistent", SeededCloseFault.NoFenceOnAllThreads).Fault);
+
+    private static ExplorationResult ExploreTwin(string memory, SeededCloseFault fault)
+        => Explore(
+            memory, new FaultyClosingRing(fault, Capacity), pushes: 2, pops: 1, looks: false,
+            countsFirst: fault == SeededCloseFault.CountersBeforeTheClose);
+
     private void AssertNothingIsLost(string memory, bool isFenced, int pushes, int pops, bool looks)
     {
         // A receiver that is woken is what makes a push fence. Its wake stays pending, so that there is one at most.
         WakeUpEvent<ExploredSyncPoints>? receiver = isFenced ? new() : null;
         var ring = new SingleProducerRing<int, ExploredSyncPoints>("q", Capacity, receiver, start: -1);
+
+        ExplorationResult result = Explore(memory, ring, pushes, pops, looks);
+
+        output.WriteLine(result.ToString());
+        Assert.True(result.Fault is null, result.ToString());
+    }
+
+    private static ExplorationResult Explore(
+        string memory, MessageQueue<int, ExploredSyncPoints> ring, int pushes, int pops, bool looks,
+        bool countsFirst = false)
+    {
         Action[] threads =
         [
             () => Push(ring, pushes),
-            () => Close(ring),
+            () => Close(ring, countsFirst),
             .. pops > 0 ? [() => Pop(ring, pops)] : Array.Empty<Action>(),
             .. looks ? [() => Look(ring)] : Array.Empty<Action>(),
         ];
@@ -74,12 +116,9 @@ public sealed class LoneSenderCloseExplorationTests(ITestOutputHelper output)
         // The locations: head, tail, head as it was last seen, half wraps, limit, last mark, last tail, state and time
         // of the wake, and of each slot its value and sequence.
         // Without folding: a sender keeps what it has read for longer than places that look alike are watched.
-        ExplorationResult result = Explorer.Explore(
+        return Explorer.Explore(
             new SmallModel(Notes, Check, threads) { MayFenceAll = true, Locations = 9 + (2 * Capacity) },
             new ExplorerOptions(MemoryModels.Named(memory)) { WatchedSteps = 0 });
-
-        output.WriteLine(result.ToString());
-        Assert.True(result.Fault is null, result.ToString());
     }
 
     private static void Check(ExploredState state)
@@ -93,7 +132,7 @@ public sealed class LoneSenderCloseExplorationTests(ITestOutputHelper output)
         state.Require(other <= accepted, $"{accepted} were accepted, another thread counts {other}");
     }
 
-    private static void Push(SingleProducerRing<int, ExploredSyncPoints> ring, int times)
+    private static void Push(MessageQueue<int, ExploredSyncPoints> ring, int times)
     {
         int accepted = 0;
         for (int i = 0; i < times; i++)
@@ -105,7 +144,7 @@ public sealed class LoneSenderCloseExplorationTests(ITestOutputHelper output)
         ExploredSyncPoints.Note(accepted, state => state.Note(Accepted) = accepted);
     }
 
-    private static void Pop(SingleProducerRing<int, ExploredSyncPoints> ring, int times)
+    private static void Pop(MessageQueue<int, ExploredSyncPoints> ring, int times)
     {
         int popped = 0;
         for (int i = 0; i < times; i++)
@@ -117,14 +156,16 @@ public sealed class LoneSenderCloseExplorationTests(ITestOutputHelper output)
         ExploredSyncPoints.Note(popped, state => state.Note(Popped) = popped);
     }
 
-    private static void Close(SingleProducerRing<int, ExploredSyncPoints> ring)
+    private static void Close(MessageQueue<int, ExploredSyncPoints> ring, bool countsFirst)
     {
+        int counted = countsFirst ? (int)ring.Counters.Pushed : 0;
         ring.Close();
-        int counted = (int)ring.Counters.Pushed;
+        if (!countsFirst)
+            counted = (int)ring.Counters.Pushed;
         ExploredSyncPoints.Note(counted, state => state.Note(Counted) = counted);
     }
 
-    private static void Look(SingleProducerRing<int, ExploredSyncPoints> ring)
+    private static void Look(MessageQueue<int, ExploredSyncPoints> ring)
     {
         int counted = (int)ring.Counters.Pushed;
         ExploredSyncPoints.Note(counted, state => state.Note(CountedByOther) = counted);

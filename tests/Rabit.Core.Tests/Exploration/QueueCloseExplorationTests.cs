@@ -43,6 +43,22 @@ public sealed class QueueCloseExplorationTests(ITestOutputHelper output)
     public void Counters_ReadBeforeTheClose_AreFoundToMissAPush(bool isWarm)
         => Assert.NotNull(Explore(MemoryModel.StoreBuffers, new Ring(isWarm), _ => { }, Reserve).Fault);
 
+    /// <summary>
+    /// As above: a close that leaves the tail where it is, in reach of a sender that has looked before. It is that of
+    /// the positions of a single sender, who does not move its tail by a swap.
+    /// </summary>
+    [Theory, Trait("Clause", "3.5")]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Close_ThatLeavesTheTailInReach_IsFoundToMissAPush(bool isWarm)
+    {
+        ExplorationResult result = Explore(
+            MemoryModel.StoreBuffers, new Ring(isWarm, isAlone: true),
+            r => r.Positions.Close<ExploredSyncPoints>(), Reserve);
+
+        Assert.Equal("1 were accepted, 0 reported", result.Fault);
+    }
+
     private static int Reserve(Ring ring)
         => ring.Positions.Reserve<ExploredSyncPoints>(1, Capacity, out _);
 
@@ -81,7 +97,8 @@ public sealed class QueueCloseExplorationTests(ITestOutputHelper output)
 
         // Without folding: a sender keeps what it has read for longer than places that look alike are watched.
         return Explorer.Explore(
-            new SmallModel(reported + 1, Check, [.. threads]), new ExplorerOptions(memory) { WatchedSteps = 0 });
+            new SmallModel(reported + 1, Check, [.. threads]) { MayFenceAll = ring.Positions.IsAlone },
+            new ExplorerOptions(memory) { WatchedSteps = 0 });
     }
 
     /// <summary>The positions alone; warm ones have a place for a push that need not look at the head.</summary>
@@ -89,9 +106,9 @@ public sealed class QueueCloseExplorationTests(ITestOutputHelper output)
     {
         public RingPositions Positions;
 
-        public Ring(bool isWarm)
+        public Ring(bool isWarm, bool isAlone = false)
         {
-            Positions = new RingPositions(start: -1, isAlone: false);
+            Positions = new RingPositions(start: -1, isAlone);
             if (!isWarm)
                 return;
             Positions.Reserve<SyncPoints>(2, Capacity, out _);
