@@ -20,6 +20,7 @@ public sealed class RestartExplorationTests(ITestOutputHelper output)
     [InlineData("event", 2, 2, false)]
     [InlineData("futex", 2, 1, false)]
     [InlineData("event", 1, 2, true)]
+    [InlineData("futex", 1, 1, true)]
     public void Restart_MoreWakesOrAMemoryThatReadsEarly_AreInTheUnitAfterIt(
         string engine, int wakers, int wakesEach, bool isWeak)
         => AssertNoFault(engine, wakers, wakesEach, isWeak ? MemoryModel.Weak : MemoryModel.StoreBuffers);
