@@ -1,5 +1,7 @@
 using System;
+using System.Linq;
 using Rabit.Core.Managers;
+using Rabit.Core.Wiring;
 
 namespace Rabit.Core;
 
@@ -20,10 +22,12 @@ public sealed partial class RabitReactor
     /// </exception>
     public DurationStatistics RealStepTime(string managerName)
     {
+        Require.NotNull(managerName, nameof(managerName));
         if (!IsWired)
-            throw new ArgumentException($"No manager '{managerName}' has started.", nameof(managerName));
+            throw NameSuggestion.NotStarted(managerName, [], nameof(managerName));
         ManagerActivity activity = _activities.Find(a => string.Equals(a.Name, managerName, StringComparison.Ordinal))
-            ?? throw new ArgumentException($"No manager '{managerName}' has started.", nameof(managerName));
+            ?? throw NameSuggestion.NotStarted(
+                managerName, _activities.Select(a => a.Name), nameof(managerName));
         return _engine.RealStepTime(activity);
     }
 

@@ -4,6 +4,7 @@ using System.IO;
 using Rabit.Core.Diagnostics;
 using Rabit.Core.Reactors;
 using Rabit.Core.Time;
+using Rabit.Core.Wiring;
 
 namespace Rabit.Core;
 
@@ -183,7 +184,7 @@ public sealed class VirtualTime : RabitTime
         DurationsFor(managerName).Add(at, duration);
     }
 
-    /// <summary>Whose units of work take time.</summary>
+    /// <summary>Whose units of work take time; once managers have begun, these too.</summary>
     internal IEnumerable<string> ModelledManagers => _durations.Keys;
 
     internal TimeSpan MaxUnitOfWorkDuration(string managerName)
@@ -210,7 +211,7 @@ public sealed class VirtualTime : RabitTime
         if (_durations.TryGetValue(name, out UnitOfWorkDurations? durations))
             return durations;
         if (_hasManagers)
-            throw new ArgumentException($"No manager '{name}' has started.", nameof(managerName));
+            throw NameSuggestion.NotStarted(name, ModelledManagers, nameof(managerName));
         _durations.Add(name, durations = new UnitOfWorkDurations(Seed, name));
         return durations;
     }

@@ -23,6 +23,13 @@ internal static class NameSuggestion
         return Nearest(name, names) is { } nearest ? $" Did you mean '{nearest}'?" : string.Empty;
     }
 
+    /// <summary>What to throw where a manager is named that has not started.</summary>
+    /// <param name="name">The name that no manager has.</param>
+    /// <param name="managers">Those that have started.</param>
+    /// <param name="parameterName">The parameter that names it.</param>
+    public static ArgumentException NotStarted(string name, IEnumerable<string> managers, string parameterName)
+        => new($"No manager '{name}' has started." + For(name, managers, [], string.Empty), parameterName);
+
     private static string? Nearest(string name, IEnumerable<string> names)
     {
         int fewest = Math.Min(MaxEdits, name.Length / CharactersPerEdit) + 1;

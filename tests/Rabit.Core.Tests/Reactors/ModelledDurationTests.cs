@@ -138,6 +138,21 @@ public sealed class ModelledDurationTests
         Assert.Contains("'ghost'", error.Message, StringComparison.Ordinal);
     }
 
+    [Fact, Trait("Clause", "4.2")]
+    public void ModelledDuration_OfAMistypedNameAfterTheStart_SuggestsTheOneThatWasMeant()
+    {
+        var time = new VirtualTime();
+        using TestRun run = NewRun(time);
+        run.Add("navigation");
+        run.Start();
+        run.Reactor.RunFor(TimeSpan.FromMilliseconds(15));
+
+        string text = Assert.Throws<ArgumentException>(
+            () => time.AddLongUnitOfWork("navigaton", TimeSpan.Zero, TimeSpan.Zero)).Message;
+        Assert.Contains(
+            "No manager 'navigaton' has started. Did you mean 'navigation'?", text, StringComparison.Ordinal);
+    }
+
     private static List<TimeSpan> Durations(
         long seed, TimeSpan shortest, TimeSpan longest, TimeSpan neighbour = default)
     {

@@ -307,6 +307,23 @@ public sealed class VirtualTimeTests
             StringComparison.Ordinal);
     }
 
+    [Fact, Trait("Clause", "4.4")]
+    public void RealStepTime_OfAMistypedName_SuggestsTheOneThatWasMeant()
+    {
+        using TestRun run = NewRun(new VirtualTime());
+        run.Add("navigation");
+        string TextFor(string name)
+            => Assert.Throws<ArgumentException>(() => run.Reactor.RealStepTime(name)).Message;
+
+        Assert.DoesNotContain("Did you mean", TextFor("navigaton"), StringComparison.Ordinal);   // none has started
+        run.Start();
+
+        Assert.StartsWith(
+            "No manager 'navigaton' has started. Did you mean 'navigation'?", TextFor("navigaton"),
+            StringComparison.Ordinal);
+        Assert.DoesNotContain("Did you mean", TextFor("ghost"), StringComparison.Ordinal);
+    }
+
     private static TestRun NewRun(VirtualTime time) => new(TimeKind.Virtual, options => options.Time = time);
 
     private sealed class BlockingDevice : IReaderSource<int>, IWriterTarget<int>
