@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core.Messages;
 using Rabit.Core.Queues;
@@ -115,7 +116,14 @@ public sealed partial class RabitWorkspace
         }
 
         if (connector is not SharedMessage<T>)
-            throw new InvalidOperationException($"Message '{binding.Name}' is not of type {TypeNames.Of(typeof(T))}.");
+            throw AnotherType(binding, _wiring!.Messages[binding.Name][0].ValueType);
         binding.Bind(connector, firstOfOwner: null);
+    }
+
+    private static InvalidOperationException AnotherType(EndpointDeclaration wanted, Type there)
+    {
+        IReadOnlyList<string> names = TypeNames.Of([there, wanted.ValueType]);
+        return new InvalidOperationException(
+            $"Message '{wanted.Name}' is of type {names[0]}, not of type {names[1]}.");
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 
 namespace Rabit.Core.Wiring;
@@ -8,8 +9,16 @@ internal static class TypeNames
 {
     public static string Of(Type type) => Of(type, t => t.Name);
 
-    /// <summary>For types that are named alike.</summary>
-    public static string WithNamespace(Type type)
+    /// <summary>For several types in one text: with their namespaces where two are named alike.</summary>
+    public static IReadOnlyList<string> Of(IReadOnlyList<Type> types)
+    {
+        List<string> names = types.Select(Of).ToList();
+        return names.Distinct(StringComparer.Ordinal).Count() == names.Count
+            ? names
+            : types.Select(WithNamespace).ToList();
+    }
+
+    private static string WithNamespace(Type type)
         => Of(type, t => t.DeclaringType is { } outer ? $"{WithNamespace(outer)}.{t.Name}" : $"{t.Namespace}.{t.Name}");
 
     private static string Of(Type type, Func<Type, string> nameOf)

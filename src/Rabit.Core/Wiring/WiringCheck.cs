@@ -162,15 +162,12 @@ internal static class WiringCheck
         List<IGrouping<Type, EndpointDeclaration>> types = endpoints.GroupBy(e => e.ValueType).ToList();
         if (types.Count == 1)
             return true;
-        bool isAmbiguous = types.GroupBy(t => TypeNames.Of(t.Key), StringComparer.Ordinal).Any(g => g.Count() > 1);
+        IReadOnlyList<string> names = TypeNames.Of(types.ConvertAll(t => t.Key));
         faults.Add(
             $"{what} has {types.Count} types: "
-                + string.Join("; ", types.Select(t => $"{NameOf(t.Key, isAmbiguous)} for {Owners(t)}")) + ".");
+                + string.Join("; ", types.Select((t, i) => $"{names[i]} for {Owners(t)}")) + ".");
         return false;
     }
-
-    private static string NameOf(Type type, bool isAmbiguous)
-        => isAmbiguous ? TypeNames.WithNamespace(type) : TypeNames.Of(type);
 
     private static string Verb(IReadOnlyList<EndpointDeclaration> endpoints, string one, string several)
     {

@@ -185,6 +185,23 @@ public sealed class WiringTests
     }
 
     [Fact, Trait("Clause", "4.2")]
+    public void Subscribe_LateAndOfAnotherType_NamesBothTypes()
+    {
+        using TestRun run = NewRun();
+        run.Add("a").Publish<Near.Count>("counts");
+        run.Start();
+
+        Assert.Equal("Message 'counts' is of type Count, not of type Int32.", Refused<int>());
+        Assert.Equal(
+            $"Message 'counts' is of type {typeof(WiringTests).FullName}.Near.Count, "
+                + $"not of type {typeof(WiringTests).FullName}.Far.Count.",
+            Refused<Far.Count>());
+
+        string Refused<T>()
+            => Assert.Throws<InvalidOperationException>(() => run.Reactor.Workspace.Subscribe<T>("counts")).Message;
+    }
+
+    [Fact, Trait("Clause", "4.2")]
     public void Queue_OfATypeThatCanBeChanged_IsANoteAndAFaultWhereItIsRefused()
     {
         static void Wire(TestRun run)
