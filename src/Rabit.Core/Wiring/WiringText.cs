@@ -55,7 +55,7 @@ internal static class WiringText
 
         foreach (IReadOnlyList<EndpointDeclaration> endpoints in wiring.Queues.Values)
         {
-            if (NoteOfLock(endpoints) is { } note)
+            foreach (string note in NotesOfLock(endpoints))
                 yield return note;
         }
 
@@ -63,18 +63,19 @@ internal static class WiringText
             yield return note;
     }
 
-    // A manager of a real-time priority that may find a queue locked by another.
-    private static string? NoteOfLock(IReadOnlyList<EndpointDeclaration> endpoints)
+    // The managers of a real-time priority that may find a queue locked by another.
+    private static IEnumerable<string> NotesOfLock(IReadOnlyList<EndpointDeclaration> endpoints)
     {
-        EndpointOwner? manager = endpoints.Select(e => e.Owner).FirstOrDefault(o => o.HasPriority);
+        EndpointOwner[] owners = [.. endpoints.Select(e => e.Owner).Distinct()];
         var queue = (IQueueDeclaration)endpoints.First(e => e.Role == EndpointRole.Receive);
-        if (manager is null || endpoints.All(e => e.Owner == manager) || !queue.NeedsLock(endpoints))
-            return null;
+        if (owners.Length == 1 || !queue.NeedsLock(endpoints))
+            return [];
         string forHowLong = PriorityInheritanceMutex.IsThere
             ? "for as long as others take to copy what is ahead; who holds the lock has that priority meanwhile"
             : "for as long as threads of priorities in between run: this system has no lock that passes a priority on";
-        return $"manager '{manager.Name}' of a real-time priority may wait for the lock of queue "
-            + $"'{endpoints[0].Name}', {forHowLong}";
+        return owners.Where(o => o.HasPriority).Select(
+            o => $"manager '{o.Name}' of a real-time priority may wait for the lock of queue '{endpoints[0].Name}', "
+                + forHowLong);
     }
 
     private static bool IsUnreadStatus(IReadOnlyList<EndpointDeclaration> endpoints) => endpoints.All(e => e.IsBuiltIn);
