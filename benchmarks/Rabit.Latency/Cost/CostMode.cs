@@ -35,7 +35,8 @@ internal static class CostMode
             "cost", "managers that wake once a second and do nothing: made and started; the memory of each; stopped",
             [
                 new Column("start ms", hasRatio: false), new Column("stop ms", hasRatio: false),
-                new Column("heap B each", "0", hasRatio: false), new Column("RSS kB each", hasRatio: false),
+                new Column("heap B each", "0", hasRatio: false, isGrowth: true),
+                new Column("RSS kB each", hasRatio: false, isGrowth: true),
                 new Column("% of a core", "0.00", hasRatio: false),
             ],
             subjects, threads, "base");
@@ -84,7 +85,8 @@ internal static class CostMode
             "cost", "messages of 72 bytes from one manager to another: wired and started; the memory of each; a post, "
                 + "to all in turn",
             [
-                new Column("start ms", hasRatio: false), new Column("heap B each", "0", hasRatio: false),
+                new Column("start ms", hasRatio: false),
+                new Column("heap B each", "0", hasRatio: false, isGrowth: true),
                 new Column("post ns", hasRatio: false),
             ],
             subjects);

@@ -54,7 +54,8 @@ internal static class JsonReport
         for (int i = 0; i < table.Columns.Count; i++)
         {
             json.WriteStartObject(table.Columns[i].Name);
-            WriteNumber(json, "median", row.Columns[i].Median);
+            double median = row.Columns[i].Median;
+            WriteNumber(json, "median", table.Columns[i].IsMeasured(median) ? median : double.NaN);
             if (table.RatioOf(row, i) is { } ratio)
                 json.WriteNumber("timesLimit", ratio);
             json.WriteStartArray("rounds");

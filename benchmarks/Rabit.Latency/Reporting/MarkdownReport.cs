@@ -54,7 +54,7 @@ internal static class MarkdownReport
         text.Append("| ").Append(row.Name).Append(row == table.Limit ? $" ({table.LimitName})" : string.Empty);
         for (int i = 0; i < table.Columns.Count; i++)
         {
-            text.Append(" | ").Append(TextReport.Figure(row.Columns[i].Median, table.Columns[i].Format));
+            text.Append(" | ").Append(table.Columns[i].Text(row.Columns[i].Median));
             if (row != table.Limit && table.RatioOf(row, i) is { } ratio)
                 text.Append(" (×").Append(TextReport.Figure(ratio, "0.00")).Append(')');
         }

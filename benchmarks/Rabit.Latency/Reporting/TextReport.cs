@@ -11,7 +11,7 @@ namespace Rabit.Latency.Reporting;
 internal static class TextReport
 {
     private const int NameWidth = 42;
-    private const int FigureWidth = 12;
+    private const int FigureWidth = 16;
     private const int RatioWidth = 9;
 
     public static void Write(TextWriter output, Table table)
@@ -44,7 +44,7 @@ internal static class TextReport
         output.Write(name.PadRight(NameWidth));
         for (int i = 0; i < table.Columns.Count; i++)
         {
-            output.Write(Figure(row.Columns[i].Median, table.Columns[i].Format).PadLeft(FigureWidth));
+            output.Write(table.Columns[i].Text(row.Columns[i].Median).PadLeft(FigureWidth));
             if (table.Limit is not null && table.Columns[i].HasRatio)
                 output.Write(
                     (table.RatioOf(row, i) is { } ratio ? Figure(ratio, "0.00") : string.Empty).PadLeft(RatioWidth));
