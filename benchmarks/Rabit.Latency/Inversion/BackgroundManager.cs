@@ -1,4 +1,5 @@
 using System;
+using Rabit.Core;
 using Rabit.Latency.Native;
 
 namespace Rabit.Latency.Inversion;
@@ -12,8 +13,8 @@ internal sealed class BackgroundManager : CallingManager
     private const long BusyNanoseconds = 3_000_000;
     private const int CallsBetweenLooks = 64;
 
-    public BackgroundManager(int priority, int cpu, EndpointCall call)
-        : base("lowest", priority, cpu, call)
+    public BackgroundManager(int priority, int cpu, EndpointCall call, RabitWorkspace workspace)
+        : base("lowest", priority, cpu, call, workspace)
         // No part of the middle one's period, which would begin at the same time always.
         => Period = TimeSpan.FromTicks(51_700);
 

@@ -9,17 +9,17 @@ internal abstract class CallingManager : RabitManager
 {
     private const string MessageName = "pose";
 
-    protected CallingManager(string name, int priority, int cpu, EndpointCall call)
+    protected CallingManager(string name, int priority, int cpu, EndpointCall call, RabitWorkspace workspace)
         : base(name)
     {
         RequestRealTime(new RealTimeRequest { Priority = priority, Cpus = [cpu] });
-        Call = Declare(call);
+        Call = Declare(call, workspace);
     }
 
     /// <summary>Uses the endpoint once.</summary>
     protected Action Call { get; }
 
-    private Action Declare(EndpointCall call)
+    private Action Declare(EndpointCall call, RabitWorkspace workspace)
     {
         switch (call)
         {
@@ -32,9 +32,14 @@ internal abstract class CallingManager : RabitManager
                 return () => pose.ForceFetch();
             case EndpointCall.PostCopying:
                 return Publish(MessageName, new CopyingTable(), allowOtherPublishers: true).Post;
-            case EndpointCall.PushDropping:
+            case EndpointCall.PushDroppingOldest or EndpointCall.PushDroppingNewest or EndpointCall.PushRejecting:
                 QueueSender<TestPose> poses = Send<TestPose>(ComputingManager.QueueName);
-                return () => _ = poses.Push(default);   // the oldest makes room
+                return () => _ = poses.Push(default);   // what does not fit in is dropped or rejected
+            case EndpointCall.PopOutside:
+                // On this manager's thread: any thread may use it, and this one has the priority.
+                QueueReceiver<TestPose> outside = workspace.Receive<TestPose>(
+                    ComputingManager.QueueName, ComputingManager.QueueCapacity);
+                return () => _ = outside.TryPop(out _);
             default:
                 throw new ArgumentOutOfRangeException(nameof(call), call, "There is no such call.");
         }

@@ -12,17 +12,17 @@ namespace Rabit.Latency.Inversion;
 internal sealed class ComputingManager : RabitManager
 {
     public const string QueueName = "poses";
-    private const int QueueCapacity = 16;
+    public const int QueueCapacity = 16;
     private static readonly TimeSpan Rest = TimeSpan.FromMilliseconds(15);
 
     private readonly long _nanoseconds;
 
-    public ComputingManager(int priority, int cpu, TimeSpan work, bool receives)
+    public ComputingManager(int priority, int cpu, TimeSpan work, QueueFullMode? receives)
         : base("middle")
     {
         RequestRealTime(new RealTimeRequest { Priority = priority, Cpus = [cpu] });
-        if (receives)
-            Receive<TestPose>(QueueName, QueueCapacity, QueueFullMode.DropOldest, wakeOnPush: false);
+        if (receives is { } whenFull)
+            Receive<TestPose>(QueueName, QueueCapacity, whenFull, wakeOnPush: false);
         _nanoseconds = work.Ticks * 100;
         Period = work + Rest;
     }

@@ -16,5 +16,14 @@ internal enum EndpointCall
     PostCopying,
 
     /// <summary>Pushes into a full queue whose oldest value makes room.</summary>
-    PushDropping,
+    PushDroppingOldest,
+
+    /// <summary>Pushes into a full queue that drops what is pushed.</summary>
+    PushDroppingNewest,
+
+    /// <summary>Pushes into the queue of <see cref="PopOutside"/>, which rejects when it is full.</summary>
+    PushRejecting,
+
+    /// <summary>Pops through an endpoint of code outside managers, for which the queue has a lock.</summary>
+    PopOutside,
 }

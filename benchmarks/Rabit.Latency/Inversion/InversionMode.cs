@@ -28,7 +28,9 @@ internal static class InversionMode
         ("post, two publishers", EndpointCall.PostShared, EndpointCall.PostShared),
         ("post, one publisher, fetched by the lowest", EndpointCall.PostAlone, EndpointCall.Fetch),
         ("post of a class that copies itself", EndpointCall.PostCopying, EndpointCall.PostCopying),
-        ("push, the oldest is dropped", EndpointCall.PushDropping, EndpointCall.PushDropping),
+        ("push, the oldest is dropped", EndpointCall.PushDroppingOldest, EndpointCall.PushDroppingOldest),
+        ("push, the newest is dropped", EndpointCall.PushDroppingNewest, EndpointCall.PushDroppingNewest),
+        ("push to a receiver outside managers", EndpointCall.PushRejecting, EndpointCall.PopOutside),
     ];
 
     public static Table Run(RunOptions options)

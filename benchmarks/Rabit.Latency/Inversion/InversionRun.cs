@@ -15,11 +15,19 @@ internal sealed class InversionRun(EndpointCall highest, EndpointCall lowest, Ti
     private const int WarmUpCalls = 200;
     private const double NanosecondsPerMicrosecond = 1000;
 
+    // Neither of the others may be the receiver: both push.
+    private QueueFullMode? WhatTheMiddleReceives => highest switch
+    {
+        EndpointCall.PushDroppingOldest => QueueFullMode.DropOldest,
+        EndpointCall.PushDroppingNewest => QueueFullMode.DropNewest,
+        _ => null,
+    };
+
     /// <summary>Whether the machine grants such priorities; without them nothing is shown.</summary>
     public static bool HasPriorities()
     {
-        using var manager = new UrgentManager(Highest, Cpus.One, EndpointCall.PostAlone);
         RabitReactor reactor = RabitRun.Create(WaitEngine.Best);
+        using var manager = new UrgentManager(Highest, Cpus.One, EndpointCall.PostAlone, reactor.Workspace);
         reactor.Add(manager);
         reactor.Start();
         RabitRun.End(reactor);
@@ -30,10 +38,10 @@ internal sealed class InversionRun(EndpointCall highest, EndpointCall lowest, Ti
     public double[] Measure(int calls)
     {
         int cpu = Cpus.One;
-        using var calling = new UrgentManager(Highest, cpu, highest);
         RabitReactor reactor = RabitRun.Create(WaitEngine.Best);
-        reactor.Add(new BackgroundManager(Lowest, cpu, lowest));
-        reactor.Add(new ComputingManager(Middle, cpu, work, receives: highest == EndpointCall.PushDropping));
+        using var calling = new UrgentManager(Highest, cpu, highest, reactor.Workspace);
+        reactor.Add(new BackgroundManager(Lowest, cpu, lowest, reactor.Workspace));
+        reactor.Add(new ComputingManager(Middle, cpu, work, WhatTheMiddleReceives));
         reactor.Add(calling);
         reactor.Start();
         calling.Measure(WarmUpCalls);

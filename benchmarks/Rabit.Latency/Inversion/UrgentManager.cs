@@ -1,5 +1,6 @@
 using System;
 using System.Threading;
+using Rabit.Core;
 using Rabit.Latency.Measuring;
 using Rabit.Latency.Native;
 
@@ -14,8 +15,8 @@ internal sealed class UrgentManager : CallingManager, IDisposable
     private readonly LatencyHistogram _durations = new();   // the manager's while _left is not 0, the measurer's else
     private int _left;
 
-    public UrgentManager(int priority, int cpu, EndpointCall call)
-        : base("highest", priority, cpu, call)
+    public UrgentManager(int priority, int cpu, EndpointCall call, RabitWorkspace workspace)
+        : base("highest", priority, cpu, call, workspace)
         // No multiple of the others' periods: it meets them at all their places.
         => Period = TimeSpan.FromTicks(3137);
 
