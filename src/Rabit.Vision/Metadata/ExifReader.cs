@@ -12,6 +12,7 @@ internal sealed class ExifReader(byte[] file, int start, int length, PhotoMetada
 {
     private const int EntryBytes = 12;
     private const int MaxFaults = 20;
+    private const double MaxExposureSeconds = 3600;
 
     private static readonly int[] TypeBytes = [0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8];
 
@@ -77,6 +78,9 @@ internal sealed class ExifReader(byte[] file, int start, int length, PhotoMetada
     {
         switch (tag)
         {
+            case 0x829A when Number(type, at) is > 0 and <= MaxExposureSeconds and double seconds:
+                photo.ExposureTime = TimeSpan.FromTicks((long)Math.Round(seconds * TimeSpan.TicksPerSecond));
+                break;
             case 0x9003:
                 _date = Text(type, count, at);
                 break;
@@ -169,7 +173,7 @@ internal sealed class ExifReader(byte[] file, int start, int length, PhotoMetada
             if (DateTime.TryParseExact(
                 _date, "yyyy:MM:dd HH:mm:ss", CultureInfo.InvariantCulture, Style, out DateTime taken)
                 && taken.Year is > 1 and < 9999)
-                photo.TakenLocal = taken + FractionOf(_fraction);
+                (photo.TakenLocal, photo.TakenResolution) = WithFraction(taken);
             else
                 Fault("its time is none: " + _date);
         }
@@ -186,10 +190,17 @@ internal sealed class ExifReader(byte[] file, int start, int length, PhotoMetada
                 + TimeSpan.FromTicks((long)(seconds * TimeSpan.TicksPerSecond));
     }
 
-    private static TimeSpan FractionOf(string? digits)
-        => digits is not null && double.TryParse(
-            "0." + digits.Trim(), NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double fraction)
-            ? TimeSpan.FromTicks((long)Math.Round(fraction * TimeSpan.TicksPerSecond)) : TimeSpan.Zero;
+    private (DateTime Taken, TimeSpan Resolution) WithFraction(DateTime taken)
+    {
+        string digits = _fraction?.Trim() ?? string.Empty;
+        if (digits.Length == 0 || !double.TryParse(
+            "0." + digits, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double fraction))
+            return (taken, TimeSpan.FromSeconds(1));
+        double step = Math.Pow(10, -digits.Length);
+        return (
+            taken + TimeSpan.FromTicks((long)Math.Round(fraction * TimeSpan.TicksPerSecond)),
+            TimeSpan.FromTicks(Math.Max(1, (long)Math.Round(step * TimeSpan.TicksPerSecond))));
+    }
 
     private static double Degrees(double[] parts) => parts[0] + (parts[1] / 60) + (parts[2] / 3600);
 

@@ -12,6 +12,7 @@ namespace Rabit.Vision;
 internal static class ExifWriter
 {
     private const int HeaderBytes = 8;
+    private const int MaxDigits = 6;
 
     public static byte[] Write(PhotoMetadata photo)
     {
@@ -38,6 +39,8 @@ internal static class ExifWriter
     private static ExifDirectory ExposureOf(PhotoMetadata photo)
     {
         var exposure = new ExifDirectory();
+        if (photo.ExposureTime is { } seconds)
+            exposure.AddRationals(0x829A, seconds.TotalSeconds);
         exposure.AddUndefined(0x9000, Encoding.ASCII.GetBytes("0232"));
         if (photo.TakenLocal is { } taken)
         {
@@ -45,7 +48,10 @@ internal static class ExifWriter
             if (photo.UtcOffset is { } offset)
                 exposure.AddText(0x9011, (offset < TimeSpan.Zero ? "-" : "+")
                     + offset.ToString("hh\\:mm", CultureInfo.InvariantCulture));
-            exposure.AddText(0x9291, taken.ToString("ffffff", CultureInfo.InvariantCulture));
+            int digits = DigitsOf(photo.TakenResolution);
+            if (digits > 0)
+                exposure.AddText(
+                    0x9291, taken.ToString("ffffff", CultureInfo.InvariantCulture).Substring(0, digits));
         }
 
         if (photo.FocalLengthMillimetres is { } focal)
@@ -58,6 +64,11 @@ internal static class ExifWriter
             exposure.AddShort(0xA405, (int)Math.Max(1, Math.Min(Math.Round(equivalent), ushort.MaxValue)));
         return exposure;
     }
+
+    // Of a second.
+    private static int DigitsOf(TimeSpan? resolution)
+        => resolution is not { } step ? MaxDigits
+            : (int)Math.Max(0, Math.Min(MaxDigits, Math.Round(-Math.Log10(Math.Max(1e-7, step.TotalSeconds)))));
 
     private static ExifDirectory PositionOf(PhotoMetadata photo)
     {

@@ -21,6 +21,9 @@ namespace Rabit.Vision;
 /// </example>
 public sealed class PhotoMetadata
 {
+    // EXIF and XMP are in segments of at most 64 KB each, which stand first.
+    private const int HeadBytes = 256 * 1024;
+
     /// <summary>Maker of the camera.</summary>
     public string? Make { get; set; }
 
@@ -30,12 +33,21 @@ public sealed class PhotoMetadata
     /// <summary>When it was taken by the camera's clock, whose zone may be unknown.</summary>
     public DateTime? TakenLocal { get; set; }
 
+    /// <summary>
+    /// Of what step <see cref="TakenLocal"/> is a multiple: a second, or less where the photo has decimals of it. What
+    /// is less was cut off.
+    /// </summary>
+    public TimeSpan? TakenResolution { get; set; }
+
     /// <summary>What the camera's clock is ahead of UTC.</summary>
     public TimeSpan? UtcOffset { get; set; }
 
     /// <summary>When it was taken, where the zone of the camera's clock is known.</summary>
     public DateTimeOffset? Taken
         => TakenLocal is { } local && UtcOffset is { } offset ? new DateTimeOffset(local, offset) : null;
+
+    /// <summary>How long it was exposed.</summary>
+    public TimeSpan? ExposureTime { get; set; }
 
     /// <summary>Time of the position by satellite navigation, UTC.</summary>
     public DateTimeOffset? PositionTimeUtc { get; set; }
@@ -114,6 +126,21 @@ public sealed class PhotoMetadata
 
     /// <summary>What could not be understood and is therefore missing, one line each.</summary>
     public IReadOnlyList<string> Faults { get; internal set; } = [];
+
+    /// <summary>
+    /// Reads what the file of a JPEG or PNG says of itself before its pixels: at most its first 256 KB are read.
+    /// </summary>
+    /// <param name="path">The file.</param>
+    /// <exception cref="PictureException">
+    /// There is no such file, it may not be read, or it is neither. What is wrong in the metadata is in
+    /// <see cref="Faults"/>.
+    /// </exception>
+    public static PhotoMetadata ReadHead(string path)
+    {
+        if (path is null)
+            throw new ArgumentNullException(nameof(path));
+        return Read(PictureBytes.ReadHead(path, HeadBytes), path);
+    }
 
     /// <summary>Reads what a JPEG or PNG says of itself; its pixels are not looked at.</summary>
     /// <param name="file">The bytes of the file.</param>

@@ -88,14 +88,17 @@ public sealed class PanelColours
 
     /// <summary>Whether a colour is black: it has no hue, and is dark.</summary>
     /// <param name="colour">The colour.</param>
+    /// <exception cref="ArgumentNullException">It is null.</exception>
     public static bool IsBlack(ColourRange colour) => IsNeutral(colour) && StrongestOf(colour) <= MaxBlack;
 
     /// <summary>Whether a colour is white: it has no hue, and is bright.</summary>
     /// <param name="colour">The colour.</param>
+    /// <exception cref="ArgumentNullException">It is null.</exception>
     public static bool IsWhite(ColourRange colour) => IsNeutral(colour) && StrongestOf(colour) >= MinWhite;
 
     /// <summary>Whether a colour is black, white or grey: it has no hue.</summary>
     /// <param name="colour">The colour.</param>
+    /// <exception cref="ArgumentNullException">It is null.</exception>
     public static bool IsNeutral(ColourRange colour)
         => ColourRange.Describe(
             (colour ?? throw new ArgumentNullException(nameof(colour))).Red, colour.Green, colour.Blue).Saturation

@@ -42,6 +42,10 @@ internal sealed class PatchColour
     private const double LittleGreenSigma = 0.025;
     private const double FullyWarm = 0.02;   // red by blue, so that nothing jumps
 
+    // What is brighter against usual ground than white usually is, is hardly a stone, and its tint is of the light: so
+    // much, natural logarithm, counts. Against dark ground stones are as bright.
+    private const double MaxBrighter = 0.35;
+
     // Ground that is paler than that by the picture is concrete or sand: white stands out less against it, but is as
     // bright by the rest of the picture.
     private const double MaxPale = 1.3;
@@ -77,7 +81,8 @@ internal sealed class PatchColour
         int most = Math.Max(colour.Red, Math.Max(colour.Green, colour.Blue));
         IsBright = most >= 128;
         Contrast = IsBright ? FullContrast * Math.Min(1, most / LevelOfWhite) : FullContrast;
-        PartOfWhite = IsNeutral && IsBright ? Math.Max(MinPartOfWhite, (Contrast - 1) / (FullContrast - 1)) : 1;
+        PartOfWhite = IsNeutral && IsBright && !IsWhite
+            ? Math.Max(MinPartOfWhite, (Contrast - 1) / (FullContrast - 1)) : 1;
         (double hue, _, _) = ColourRange.Describe(
             Math.Min(255, Overexposure * colour.Red), Math.Min(255, Overexposure * colour.Green),
             Math.Min(255, Overexposure * colour.Blue));
@@ -94,7 +99,9 @@ internal sealed class PatchColour
     /// <summary>Of a neutral one: how many times as bright as the ground it is, by the curve of sRGB.</summary>
     public double Contrast { get; }
 
-    /// <summary>Of a light grey, its contrast with usual ground as a part of that of white; 1 for all others.</summary>
+    /// <summary>
+    /// Of a light grey, its contrast with usual ground as a part of that of white, at least 0.4; 1 for all others.
+    /// </summary>
     public double PartOfWhite { get; }
 
     /// <summary>White, and no grey: nothing that is lit as it is and is no lamp is brighter.</summary>
@@ -137,7 +144,10 @@ internal sealed class PatchColour
         return (hue * hue / (HueSigmaDegrees * HueSigmaDegrees)) + (pale * pale);
     }
 
-    /// <summary>The same for white or black: by brightness against the ground, and by how little colour.</summary>
+    /// <summary>
+    /// The same for white, black or grey: by brightness against the ground, and by how little colour; of a light grey
+    /// by its own tint.
+    /// </summary>
     public double NeutralCost(in PatchShape shape, PictureLight light)
     {
         double inside = shape.Red + (2 * shape.Green) + shape.Blue;
@@ -148,7 +158,7 @@ internal sealed class PatchColour
             : Math.Min(ground, 4 * level) / Math.Max(1, inside);
         double off = Math.Log(ratio / Contrast);
         double weak = Math.Max(0, -off) / ContrastSigma;
-        double bright = IsWhite ? 1 + Math.Max(0, off) : 1;   // no stone is brighter than white usually is
+        double bright = IsWhite ? 1 + Clamp(off, 0, MaxBrighter) : 1;
         return (weak * weak) + (IsBright ? TintCost(shape, light) / (bright * bright) : ChromaCost(shape));
     }
 
@@ -173,12 +183,15 @@ internal sealed class PatchColour
         return chroma * chroma;
     }
 
-    // Lush grass has little blue in any light: what is undone for that may be too much, so the likelier of both counts.
+    // Lush grass has little red and blue in any light: where they were raised for that, it may have been too much, and
+    // the likelier of both counts.
     private double TintCost(in PatchShape shape, PictureLight light)
     {
         double cost = TintCost(shape.Red, shape.Green, shape.Blue, light.LikelyTint);
-        return light.BlueGain <= 1 ? cost
-            : Math.Min(cost, TintCost(shape.Red, shape.Green, shape.Blue / light.BlueGain, light.LikelyTint));
+        if (light.RedGain <= 1 && light.BlueGain <= 1)
+            return cost;
+        (double red, double blue) = (Math.Max(1, light.RedGain), Math.Max(1, light.BlueGain));
+        return Math.Min(cost, TintCost(shape.Red / red, shape.Green, shape.Blue / blue, light.LikelyTint));
     }
 
     private double TintCost(double red, double green, double blue, double likelyTint)

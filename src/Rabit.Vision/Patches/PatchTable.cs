@@ -115,8 +115,8 @@ public sealed class PatchTable
     public bool IsWhite(int index) => _colours[index].IsWhite;
 
     /// <summary>
-    /// Of a light grey, its contrast with usual ground as a part of that of white: what varies on it and around it is
-    /// the larger against that. 1 for all others.
+    /// Of a light grey, its contrast with usual ground as a part of that of white, at least 0.4: what varies on it and
+    /// around it is the larger against that. 1 for all others.
     /// </summary>
     /// <param name="index">Of the colours it was made for.</param>
     public double PartOfWhite(int index) => _colours[index].PartOfWhite;

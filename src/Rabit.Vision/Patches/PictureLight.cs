@@ -27,13 +27,15 @@ public sealed class PictureLight
     // deviation is 0.15 to 0.2, so little of what a picture differs by is light.
     private const double UsualTint = 0.2;
     private const double LightInTint = 0.1;
-    private const double MaxLikelyTint = 0.06;   // from -0.05 on, by what is undone
+    private const double MaxLikelyTint = 0.06;   // the least is -0.05: red is at least 0.75, blue at most 1 of green
 
     // A tile that is brighter is filled by one bright thing: its ground is taken to be like the rest.
     private const double MaxTileLevel = 1.5;
 
-    // Nor is it brighter than the median of the tiles around it by more: a car that fills one fills few beside it.
+    // Nor is it brighter by more than the third brightest of those around it and itself: a car fills one or two, while
+    // a road goes through three.
     private const double MaxAround = 1.15;
+    private const int BrightTiles = 2;
 
     // The darkest of the pixels, a five hundredth, are deep shade: about half of what comes from there is haze. More
     // than so much light is none, but ground without anything dark.
@@ -110,7 +112,10 @@ public sealed class PictureLight
         (RedVeil, GreenVeil, BlueVeil) = (VeilOf(_red, RedGain), VeilOf(_green, 1), VeilOf(_blue, BlueGain));
     }
 
-    /// <summary>The median of the brightness in the tile of a pixel, 0 to 255.</summary>
+    /// <summary>
+    /// How bright the ground is in the tile of a pixel, 0 to 255: the median of its pixels, but no more than the tiles
+    /// around it and the whole picture let ground have.
+    /// </summary>
     /// <param name="column">Of the picture that was measured.</param>
     /// <param name="row">Of the picture that was measured.</param>
     public int LevelAt(int column, int row)
@@ -135,12 +140,13 @@ public sealed class PictureLight
         _levels.CopyTo(_measured, 0);
         for (int tile = 0; tile < _levels.Length; tile++)
         {
-            double around = MaxAround * MedianAround(tile % Tiles, tile / Tiles);
+            // Where all around lies in deep shade, a tile may be as bright as the picture.
+            double around = Math.Max(Level, MaxAround * ThirdBrightestAround(tile % Tiles, tile / Tiles));
             _levels[tile] = (byte)Math.Min(_levels[tile], Math.Min(around, MaxTileLevel * Level));
         }
     }
 
-    private int MedianAround(int across, int down)
+    private int ThirdBrightestAround(int across, int down)
     {
         int count = 0;
         Span<byte> levels = stackalloc byte[9];
@@ -150,13 +156,13 @@ public sealed class PictureLight
             {
                 byte level = _measured[(row * Tiles) + column];
                 int at = count++;
-                for (; at > 0 && levels[at - 1] > level; at--)
+                for (; at > 0 && levels[at - 1] < level; at--)
                     levels[at] = levels[at - 1];
                 levels[at] = level;
             }
         }
 
-        return levels[count / 2];
+        return levels[BrightTiles];
     }
 
     private int LevelOfBrightest()

@@ -1,5 +1,4 @@
 using System;
-using System.IO;
 
 namespace Rabit.Vision;
 
@@ -18,8 +17,6 @@ namespace Rabit.Vision;
 /// </example>
 public sealed class PictureReader
 {
-    // Larger than any picture that is read here: nothing is gained by packing pixels into more bytes than they have.
-    private const long MaxFileBytes = 256L * 1024 * 1024;
     private const string WhatIsRead = "only JPEG, PNG and binary PPM (P6) and PGM (P5) are";
 
     private byte[] _file = [];
@@ -93,7 +90,7 @@ public sealed class PictureReader
 
     private (int Width, int Height) Open(string path)
     {
-        int length = ReadAll(path);
+        int length = PictureBytes.ReadAll(path, ref _file);
         (_png, _pnm) = (null, null);
         if (length == 0)
             throw new PictureException(path, "the file is empty");
@@ -114,42 +111,5 @@ public sealed class PictureReader
             throw new PictureException(path, "that is no picture that is read here; " + WhatIsRead);
         _png = new PngDecoder(_file, length, path);
         return (_png.Width, _png.Height);
-    }
-
-    private int ReadAll(string path)
-    {
-        if (SpecialFile.FindKind(path) is { } kind)
-            throw new PictureException(path, $"it is {kind}, not a file");
-        try
-        {
-            // Without a buffer of its own: the file goes into ours at once.
-            using var file = new FileStream(
-                path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferSize: 1);
-            if (file.Length > MaxFileBytes)
-                throw new PictureException(path, $"it has {file.Length} bytes; at most {MaxFileBytes} are read");
-            int length = (int)file.Length;
-            if (_file.Length < length)
-                _file = new byte[length];
-            int filled = 0;
-            while (filled < length)
-            {
-                int read = file.Read(_file, filled, length - filled);
-                if (read <= 0)
-                    break;
-                filled += read;
-            }
-
-            return filled;
-        }
-        catch (Exception e) when (PictureFile.IsFileFault(e))
-        {
-            string reason = e switch
-            {
-                FileNotFoundException or DirectoryNotFoundException => "no such file",
-                UnauthorizedAccessException => Directory.Exists(path) ? "that is a folder" : "no permission to read it",
-                _ => "it cannot be read: " + e.Message,
-            };
-            throw new PictureException(path, reason, e);
-        }
     }
 }

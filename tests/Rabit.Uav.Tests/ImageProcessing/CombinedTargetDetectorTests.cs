@@ -223,10 +223,9 @@ public sealed class CombinedTargetDetectorTests
         };
         var painting = new Painting(15);
 
-        // Their blue is less than nominal, as the tint is undone that the painted grass speaks for.
         painting.Rectangle((165, 165, 153), 200, 150, 78, 62, 0.3);   // a slab of concrete
-        painting.Rectangle((240, 240, 223), 200, 150, 13, 13, 0.3);
-        painting.Rectangle((168, 172, 164), 450, 330, 4.4 / MetresPerPixel, 1.8 / MetresPerPixel, 0.3);
+        painting.Rectangle((240, 240, 238), 200, 150, 13, 13, 0.3);
+        painting.Rectangle((168, 172, 176), 450, 330, 4.4 / MetresPerPixel, 1.8 / MetresPerPixel, 0.3);
         byte[] picture = painting.Finish();
 
         Assert.Equal(["white"], ClassesOf(Search(picture, [white], [white])));

@@ -9,7 +9,7 @@ using Xunit;
 
 namespace Rabit.Uav.Tests.ImageProcessing;
 
-/// <summary>White and silver cars from 18 m above them, where they are larger than the tiles of the light.</summary>
+/// <summary>White and silver cars from 18 m above them, where one may fill a tile of the light.</summary>
 public sealed class PaleCarTests
 {
     private const double MetresPerPixel = 18.0 / 530;
@@ -24,7 +24,8 @@ public sealed class PaleCarTests
     [InlineData(232, 232, 228, 1, 1)]
     [InlineData(232, 232, 228, 1.06, 0.94)]
     [InlineData(232, 232, 228, 0.95, 1.06)]
-    public void Detect_InLightWithATint_FindsTheCar(byte red, byte green, byte blue, double redGain, double blueGain)
+    public void Detect_InUsualAndTintedLight_FindsTheCar(
+        byte red, byte green, byte blue, double redGain, double blueGain)
     {
         for (int seed = 1; seed <= 3; seed++)
         {
@@ -38,17 +39,43 @@ public sealed class PaleCarTests
             }
 
             TargetDetection car = Assert.Single(Search(picture, new ColourRange(red, green, blue)));
+            Assert.Equal("car", car.Class.ToString());
             Assert.InRange(car.CentreX, 150 + (70 * seed) - 3, 150 + (70 * seed) + 3);
             Assert.InRange(car.CentreY, 140 + (50 * seed) - 3, 140 + (50 * seed) + 3);
         }
     }
 
-    /// <summary>A pale slab of a car's size and form in usual light is none: a car is whiter, or has windows.</summary>
+    /// <summary>A tile has 80 x 60 pixels: a car of 130 x 53 fills most of the one in whose middle it stands.</summary>
     [Fact]
-    public void Detect_SlabOfConcrete_IsNoWhiteCar()
+    public void Detect_InTheMiddleOfATile_FindsTheCar()
+    {
+        var painting = new Painting(5);
+        Paint(painting, (168, 172, 176), 280, 210, 0);
+
+        Assert.Equal("car", Assert.Single(Search(painting.Finish(), new ColourRange(168, 172, 176))).Class.ToString());
+    }
+
+    /// <summary>A road of pale asphalt is the ground there, and no part of a silver car on it.</summary>
+    [Fact]
+    public void Detect_OnAPaleRoad_FindsTheCar()
+    {
+        var painting = new Painting(6);
+        painting.Rectangle((138, 138, 130), 280, 240, 90, 700, 0);
+        Paint(painting, (190, 194, 198), 280, 210, 1.57);
+
+        Assert.Equal("car", Assert.Single(Search(painting.Finish(), new ColourRange(168, 172, 176))).Class.ToString());
+    }
+
+    /// <summary>
+    /// A slab of concrete of the size and form of a car is none: it is too dark to be white, or too warm.
+    /// </summary>
+    [Theory]
+    [InlineData(165, 160, 146)]
+    [InlineData(215, 195, 150)]
+    public void Detect_SlabOfConcrete_IsNoWhiteCar(byte red, byte green, byte blue)
     {
         var painting = new Painting(4);
-        painting.Rectangle((165, 160, 146), 320, 240, 4.4 / MetresPerPixel, 1.8 / MetresPerPixel, 0.3);
+        painting.Rectangle((red, green, blue), 320, 240, 4.4 / MetresPerPixel, 1.8 / MetresPerPixel, 0.3);
 
         Assert.Empty(Search(painting.Finish(), new ColourRange(232, 232, 228)));
     }

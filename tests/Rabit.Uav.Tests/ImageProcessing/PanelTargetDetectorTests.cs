@@ -105,7 +105,9 @@ public sealed class PanelTargetDetectorTests(ITestOutputHelper output)
         Assert.Equal(150, _found[0].CentreY, 0.3);
     }
 
-    /// <summary>Lush grass has half of the chroma that a panel has in the shade.</summary>
+    /// <summary>
+    /// Lush grass has more than half of the chroma that a panel has in the shade: twice the ground's is out of reach.
+    /// </summary>
     [Theory]
     [InlineData(1)]
     [InlineData(0.6)]

@@ -20,6 +20,7 @@ public sealed class PhotoMetadataTests
         Assert.Equal(("DJI", "FC300S", 1), (photo.Make, photo.Model, photo.Orientation));
         Assert.Equal((61, 43, 4000, 2250), (photo.Width, photo.Height, photo.PixelWidth, photo.PixelHeight));
         Assert.Equal(new DateTime(2016, 6, 23, 16, 31, 59, 250), photo.TakenLocal);
+        Assert.Equal(TimeSpan.FromMilliseconds(10), photo.TakenResolution);
         Assert.Equal(
             new DateTimeOffset(2016, 6, 23, 16, 31, 59, 250, TimeSpan.FromHours(-5)), photo.Taken);
         Assert.Equal(new DateTimeOffset(2016, 6, 23, 21, 31, 59, 500, TimeSpan.Zero), photo.PositionTimeUtc);

@@ -8,6 +8,45 @@ namespace Rabit.Vision.Tests.Metadata;
 public sealed class PhotoWriterTests
 {
     [Theory]
+    [InlineData(null, 1_234_560, 10)]
+    [InlineData(10_000_000L, 0, 10_000_000)]
+    [InlineData(100_000L, 1_200_000, 100_000)]
+    public void Encode_TimeAndExposure_AreReadAgainToTheirResolution(long? resolution, long fraction, long expected)
+    {
+        var taken = new DateTime(2026, 3, 4, 5, 6, 7);
+        var written = new PhotoMetadata
+        {
+            TakenLocal = taken.AddTicks(1_234_560),
+            TakenResolution = resolution is { } ticks ? TimeSpan.FromTicks(ticks) : null,
+            ExposureTime = TimeSpan.FromMilliseconds(1.25),
+        };
+
+        PhotoMetadata read = PhotoMetadata.Read(
+            PngPicture.Encode(Pictures.SamplePictures.Random(4, 5, seed: 1), written), "x");
+
+        Assert.Equal(taken.AddTicks(fraction), read.TakenLocal);
+        Assert.Equal(TimeSpan.FromTicks(expected), read.TakenResolution);
+        Assert.Equal(TimeSpan.FromMilliseconds(1.25), read.ExposureTime);
+    }
+
+    [Fact]
+    public void ReadHead_FileLongerThanWhatIsRead_IsReadUpToItsPixels()
+    {
+        using var folder = new Pictures.SamplePictures.TemporaryFolder();
+        string file = folder.File("photo.jpg");
+        System.IO.File.WriteAllBytes(file, [.. PhotoBytes.Drone(), .. new byte[400_000]]);
+
+        PhotoMetadata photo = PhotoMetadata.ReadHead(file);
+
+        Assert.Empty(photo.Faults);
+        Assert.Equal("FC300S", photo.Model);
+        Assert.Contains(
+            "no such file",
+            Assert.Throws<PictureException>(() => PhotoMetadata.ReadHead(folder.File("other.jpg"))).Message,
+            StringComparison.Ordinal);
+    }
+
+    [Theory]
     [InlineData(47.12345678, 8.98765432, 512.345)]
     [InlineData(-0.00001234, -179.99999, -12.5)]
     [InlineData(89.99999999, 0.5, 0)]

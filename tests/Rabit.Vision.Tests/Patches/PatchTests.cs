@@ -180,6 +180,62 @@ public class PatchTests
         Assert.InRange(silver.CostOf(shape, 0, _light, out _), 0, 1);
     }
 
+    /// <summary>A light grey with a tint of its own is not untinted.</summary>
+    [Theory]
+    [InlineData(150, 160, 185, 0, 0.5)]
+    [InlineData(165, 165, 165, 3, 10)]
+    public void CostOf_TintedGrey_IsByItsOwnTint(byte red, byte green, byte blue, double min, double max)
+    {
+        var grey = new PatchTable([new ColourRange(150, 160, 185)]);
+        _light.Measure(Paint(86, 112, 70, 0, 0, 1, 1), Width, Height);
+        PatchShape shape = ShapeOf((red, green, blue), (86, 112, 70));
+
+        Assert.InRange(grey.CostOf(shape, 0, _light, out _), min, max);
+    }
+
+    [Theory]
+    [InlineData(236, 236, 234, 1, 1)]
+    [InlineData(220, 220, 220, 1, 1)]   // a white that is not so bright
+    [InlineData(168, 172, 176, 0.45, 0.48)]
+    [InlineData(130, 130, 130, 0.4, 0.4)]
+    [InlineData(20, 20, 20, 1, 1)]
+    [InlineData(205, 28, 32, 1, 1)]
+    public void PartOfWhite_Colour_IsLessForALightGrey(byte red, byte green, byte blue, double min, double max)
+        => Assert.InRange(new PatchTable([new ColourRange(red, green, blue)]).PartOfWhite(0), min, max);
+
+    // Of a warm white, on usual ground and on ground so dark that a stone would be as bright: what it is brighter by
+    // counts up to a limit.
+    [Theory]
+    [InlineData(112, 2.2, 3.4)]
+    [InlineData(76, 1.3, 2.1)]
+    [InlineData(30, 1.7, 2.0)]
+    public void CostOf_WarmWhite_IsTheLessTheBrighterItIs(byte ground, double min, double max)
+    {
+        byte[] picture = new byte[Width * Height * 3];
+        Paint(picture, ground, ground, ground, 0, 0, Width, Height);
+        _light.Measure(picture, Width, Height);
+
+        Assert.InRange(
+            Table.CostOf(ShapeOf((250, 236, 215), (ground, ground, ground)), 2, _light, out _), min, max);
+    }
+
+    // On lush grass blue is raised, and may be so too much: the white and that with less blue are both white.
+    [Theory]
+    [InlineData(240, 240, 238, 0, 0.6)]
+    [InlineData(240, 240, 214, 0, 0.6)]
+    [InlineData(240, 240, 180, 4, 20)]
+    public void CostOf_WhiteOnLushGrass_IsByTheLikelierTint(byte red, byte green, byte blue, double min, double max)
+    {
+        byte[] picture = new byte[Width * Height * 3];
+        Paint(picture, 86, 112, 55, 0, 0, Width, Height);
+        _light.Measure(picture, Width, Height);
+        double raised = blue * _light.BlueGain;
+
+        Assert.InRange(_light.BlueGain, 1.11, 1.13);
+        Assert.InRange(
+            Table.CostOf(ShapeOf((red, green, raised), (86, 112, 62)), 2, _light, out _), min, max);
+    }
+
     // Up to 2.4 with which white is found: a tint of 6 % in red and blue is light, 15 % are a colour, and what is warm
     // with less green is concrete.
     [Theory]
@@ -193,18 +249,8 @@ public class PatchTests
     {
         byte[] picture = Paint(red, green, blue, left: 20, top: 15, columns: 10, rows: 8);
         _light.Measure(picture, Width, Height);
-        var shape = new PatchShape
-        {
-            Red = red,
-            Green = green,
-            Blue = blue,
-            GroundRed = 86,
-            GroundGreen = 112,
-            GroundBlue = 70,
-            Area = 80,
-        };
 
-        Assert.InRange(Table.CostOf(shape, 2, _light, out _), min, max);
+        Assert.InRange(Table.CostOf(ShapeOf((red, green, blue), (86, 112, 70)), 2, _light, out _), min, max);
     }
 
     // Red soil is no red light: what its tint says of the light is limited.
@@ -223,21 +269,52 @@ public class PatchTests
         Assert.InRange(_light.LikelyTint, min, max);
     }
 
-    /// <summary>What fills a tile, as a car seen from low above, does not make the ground there brighter.</summary>
-    [Fact]
-    public void LevelAt_BrightThingThatFillsATile_IsThatOfTheGroundAround()
+    /// <summary>
+    /// What fills one or two tiles, of 8 x 6 pixels here, as a car seen from low above, does not make the ground there
+    /// brighter; a road through three does.
+    /// </summary>
+    [Theory]
+    [InlineData(16, 12, 8, 6, 112)]
+    [InlineData(16, 12, 16, 6, 112)]
+    [InlineData(0, 0, 16, 6, 112)]   // in the corner
+    [InlineData(24, 0, 16, 6, 112)]   // at the edge
+    [InlineData(16, 0, 8, 48, 150)]
+    public void LevelAt_BrightThing_IsThatOfTheGroundAroundWhereItFillsTwoTiles(
+        int left, int top, int columns, int rows, int expected)
     {
-        byte[] picture = Paint(150, 150, 150, Width / 4, Height / 4, Width / 4, Height / 4);
+        _light.Measure(Paint(150, 150, 150, left, top, columns, rows), Width, Height);
+
+        Assert.Equal(expected, _light.LevelAt(left + 2, top + (rows / 2)));
+        Assert.Equal(95, _light.LevelAt(Width - 2, Height - 2));
+    }
+
+    /// <summary>Where all around is in deep shade, a tile may be as bright as the picture.</summary>
+    [Fact]
+    public void LevelAt_TileAmongBlackOnes_IsNoDarkerThanThePicture()
+    {
+        byte[] picture = Paint(0, 0, 0, 8, 6, 24, 18);
+        Paint(picture, 86, 112, 70, 16, 12, 8, 6);
         _light.Measure(picture, Width, Height);
 
-        Assert.InRange(_light.LevelAt((Width / 4) + 2, (Height / 4) + 2), 95, 1.15 * 95);
-        Assert.Equal(95, _light.LevelAt(1, 1));
+        Assert.Equal(95, _light.LevelAt(18, 14));
     }
 
     [Fact]
     public void New_WhiteTwice_IsRefused()
         => Assert.Throws<ArgumentException>(
             () => new PatchTable([new ColourRange(236, 236, 234), new ColourRange(250, 250, 250)]));
+
+    private static PatchShape ShapeOf(
+        (double Red, double Green, double Blue) colour, (double Red, double Green, double Blue) ground) => new()
+        {
+            Red = colour.Red,
+            Green = colour.Green,
+            Blue = colour.Blue,
+            GroundRed = ground.Red,
+            GroundGreen = ground.Green,
+            GroundBlue = ground.Blue,
+            Area = 80,
+        };
 
     private static byte[] Paint(byte red, byte green, byte blue, int left, int top, int columns, int rows)
     {

@@ -13,6 +13,6 @@ internal struct ColourLikeness
     /// <summary>White or black.</summary>
     public bool IsNeutral;
 
-    /// <summary>Its contrast with usual ground as a part of that of white; 1 for all but a light grey.</summary>
+    /// <summary>Of a light grey, its contrast with usual ground as a part of that of white; 1 for all others.</summary>
     public double PartOfWhite;
 }

@@ -37,11 +37,11 @@ internal static class PatchCost
     private const double MaxOther = 9;
     private const double OtherSigma = 2;
 
-    // Of what is white or grey: a square may be a slab of concrete, which its tint shows; a car has a size and a form
-    // that few pale things have, and its tint says less, the more of it is of other colours.
-    private const double TintWeight = 3;
-    private const double TintWeightOfParts = 3;
-    private const double MinTintWeight = 1.9;
+    // How much brightness and tint of what is white, grey or black count: a square of one colour may be a slab of
+    // concrete, which they show; what has parts of other colours has a form that few such things have. No less than for
+    // a car, 0.65 of which is of its colour.
+    private const double NeutralWeight = 3;
+    private const double MinNeutralWeight = 1.95;
 
     // A filled rectangle of area A has sigma_long * sigma_short = A / 12.
     private const double RectangleFactor = 12;
@@ -81,7 +81,7 @@ internal static class PatchCost
         ofColour = 0;
         if (colour.IsNeutral)
         {
-            cost += 3 + (Math.Max(MinTintWeight, TintWeight - (TintWeightOfParts * other)) * colour.Cost);
+            cost += 3 + (Math.Max(MinNeutralWeight, NeutralWeight * target.MinColourShare) * colour.Cost);
             cost += Square(Math.Max(0, 8 - root) / 0.65);
             cost += Square(Math.Max(0, shape.Unevenness - ((0.02 + (0.3 / root)) / colour.PartOfWhite)) / 0.015);
             cost += Square(Math.Max(0, 130 - shape.Contrast) / 30);

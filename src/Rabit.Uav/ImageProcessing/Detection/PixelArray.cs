@@ -4,8 +4,8 @@ using System.Runtime.InteropServices;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// The pixels of a picture as an array: that of the camera as it is, a copy of other memory. Memory of the largest one;
-/// for one thread.
+/// The pixels of a picture as an array: that of the camera as it is, a copy of other memory. Keeps one buffer, as
+/// large as the largest copy so far; for one thread.
 /// </summary>
 internal sealed class PixelArray
 {

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
@@ -17,6 +18,9 @@ internal static class CameraDescription
 
     // For people and other programs; they change nothing here.
     private static readonly string[] Notes = ["format", "version", "timeSource", "origin"];
+
+    /// <summary>Key of what the camera's clock is ahead of UTC.</summary>
+    public const string ExifUtcOffset = "exifUtcOffset";
 
     private const string FrameStart = "frameStartMicroseconds";
     private const string Exposure = "exposureMicroseconds";
@@ -51,6 +55,7 @@ internal static class CameraDescription
                 : null;
             List<ListedPicture> listed = ReadFrames(root, faults);
             TimeSpan? timeNoise = ReadTimeNoise(root, source is not null, faults);
+            TimeSpan? exifUtcOffset = ReadUtcOffset(root, source is not null, faults);
             if (source is not null && root.Has("frames"))
                 faults.Add("there are both a source, which gives the pictures, and frames, which lists them");
             root.Renamed(("time_source", "timeSource"), ("mount", "camera.mount"));
@@ -67,6 +72,7 @@ internal static class CameraDescription
             {
                 Source = source,
                 TimeNoise = timeNoise ?? CameraFolder.DefaultTimeNoise,
+                ExifUtcOffset = exifUtcOffset,
             };
         }
     }
@@ -139,6 +145,21 @@ internal static class CameraDescription
         }
 
         return TimeSpan.FromTicks((long)(number * PictureFolderWriter.TicksPerMicrosecond));
+    }
+
+    private static TimeSpan? ReadUtcOffset(JsonFields root, bool hasSource, List<string> faults)
+    {
+        if (!root.Has(ExifUtcOffset) || root.Text(ExifUtcOffset) is not { } text)
+            return null;
+        if (hasSource)
+            faults.Add($"{ExifUtcOffset} is of pictures in files, not of a source");
+        if (text.Length == 6 && text[0] is '+' or '-'
+            && TimeSpan.TryParseExact(
+                text.Substring(1), "hh\\:mm", CultureInfo.InvariantCulture, out TimeSpan offset)
+            && offset <= TimeSpan.FromHours(14))
+            return text[0] == '-' ? -offset : offset;
+        faults.Add($"{ExifUtcOffset} is \"{text}\"; it must be as \"+02:00\", -14:00 to +14:00");
+        return null;
     }
 
     private static List<ListedPicture> ReadFrames(JsonFields root, List<string> faults)

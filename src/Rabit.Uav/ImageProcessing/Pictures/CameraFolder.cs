@@ -15,7 +15,8 @@ namespace Rabit.Uav.ImageProcessing;
 /// <remarks>
 /// A picture is called "f000123_1732190000123456_e2000.png": number, start of the exposure in microseconds since 1970
 /// UTC, exposure in microseconds. Pictures of other names may be listed in camera.json, as "frames" of "file",
-/// "frameStartMicroseconds" and "exposureMicroseconds". The form of camera.json is in docs/camera-folder.md.
+/// "frameStartMicroseconds" and "exposureMicroseconds"; of others, the time is that of their EXIF. The form of
+/// camera.json is in docs/camera-folder.md.
 /// </remarks>
 public sealed class CameraFolder
 {
@@ -46,6 +47,12 @@ public sealed class CameraFolder
     /// The default is 5 ms, assumed, not measured: what writes a picture's name takes the time beside the exposure.
     /// </value>
     public TimeSpan TimeNoise { get; internal init; } = DefaultTimeNoise;
+
+    /// <summary>
+    /// What the clock of the camera is ahead of UTC, for pictures whose time only their EXIF says, where that does not
+    /// say it. "exifUtcOffset" of camera.json.
+    /// </summary>
+    public TimeSpan? ExifUtcOffset { get; internal init; }
 
     /// <summary>Pictures that camera.json lists, by the start of their exposure.</summary>
     internal IReadOnlyList<ListedPicture> Listed { get; }

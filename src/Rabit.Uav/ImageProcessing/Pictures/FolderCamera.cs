@@ -33,7 +33,9 @@ public sealed class FolderCamera : ICamera
     private readonly List<ListedPicture> _pending = [];   // the next is the last
     private readonly List<string> _nameless = [];
     private readonly PictureReader _reader = new();
-    private readonly string _timeSource;
+    private string _timeSource;   // written by the reader, read by any
+    private TimeSpan _exifNoise;
+    private long _lastNumber = -1;
     private ReaderContext? _context;
     private long _openedUtc;
     private long _lastUtc = long.MinValue;
@@ -75,7 +77,7 @@ public sealed class FolderCamera : ICamera
         BeforeRun = PicturesBeforeRun,
         Late = PicturesLate,
         Ahead = PicturesAhead,
-        TimeSource = _timeSource,
+        TimeSource = Volatile.Read(ref _timeSource),
         Fault = Volatile.Read(ref _fault),
         LastFault = LastRefusal,
     };
@@ -84,7 +86,8 @@ public sealed class FolderCamera : ICamera
     public long PicturesDelivered => Interlocked.Read(ref _delivered);
 
     /// <summary>
-    /// Pictures that could not be read, have another size than the camera's, or a name without their time.
+    /// Pictures that could not be read, have another size than the camera's, or neither a name nor EXIF with their
+    /// time.
     /// </summary>
     public long PicturesRefused => Interlocked.Read(ref _refused);
 
@@ -187,19 +190,33 @@ public sealed class FolderCamera : ICamera
             return false;
         }
 
+        // EXIF has no numbers, so none is missing.
+        _lastNumber = picture.ExifNoise is null ? picture.Facts.Number : _lastNumber + 1;
         frame = new CameraFrame
         {
             Pixels = lease,
             Width = _folder.Camera.Width,
             Height = _folder.Camera.Height,
             Format = _folder.Camera.Format,
-            Number = picture.Facts.Number,
+            Number = _lastNumber,
             FrameStart = RunTime(picture.Facts.StartUtcMicroseconds),
             Exposure = ExposureOf(picture),
-            TimeNoise = _folder.TimeNoise,
+            TimeNoise = NoiseOf(picture),
         };
         Interlocked.Increment(ref _delivered);
         return true;
+    }
+
+    private TimeSpan NoiseOf(ListedPicture picture)
+    {
+        if (picture.ExifNoise is not { } rounding)
+            return _folder.TimeNoise;
+        double clock = _folder.TimeNoise.TotalSeconds;
+        double seconds = Math.Sqrt((clock * clock) + (rounding.TotalSeconds * rounding.TotalSeconds));
+        var noise = TimeSpan.FromTicks((long)(seconds * TimeSpan.TicksPerSecond));
+        if (noise != _exifNoise)
+            Volatile.Write(ref _timeSource, PictureTimeSource.Describe("EXIF of the pictures", _exifNoise = noise));
+        return noise;
     }
 
     private void Load(string path, byte[] pixels)
@@ -226,8 +243,7 @@ public sealed class FolderCamera : ICamera
         }
 
         foreach (string name in _nameless)
-            Refuse($"{Path.Combine(_folder.Path, name)}: its name has no number and time, as "
-                + "f000123_1732190000123456_e2000.png has");
+            ReadExif(name, found);
         _nameless.Clear();
         foreach (ListedPicture picture in found)
         {
@@ -240,6 +256,18 @@ public sealed class FolderCamera : ICamera
 
         _hasListed = true;
         Sort();
+    }
+
+    private void ReadExif(string name, List<ListedPicture> found)
+    {
+        try
+        {
+            found.Add(PictureExif.Read(_folder, name));
+        }
+        catch (PictureException e)
+        {
+            Refuse(e.Message);
+        }
     }
 
     private void Add(ListedPicture picture)

@@ -1,10 +1,20 @@
+using System;
+
 namespace Rabit.Uav.ImageProcessing;
 
-/// <summary>A picture of a camera's folder: its file, and what its name or camera.json says of it.</summary>
-internal sealed class ListedPicture(string file, PictureFileName facts)
+/// <summary>
+/// A picture of a camera's folder: its file, and what its name, camera.json or its EXIF says of it.
+/// </summary>
+internal sealed class ListedPicture(string file, PictureFileName facts, TimeSpan? exifNoise = null)
 {
     /// <summary>Within the folder.</summary>
     public string File { get; } = file;
 
     public PictureFileName Facts { get; } = facts;
+
+    /// <summary>
+    /// Where the time is that of its EXIF, which has no number of the picture: how far that is rounded, one standard
+    /// deviation.
+    /// </summary>
+    public TimeSpan? ExifNoise { get; } = exifNoise;
 }
