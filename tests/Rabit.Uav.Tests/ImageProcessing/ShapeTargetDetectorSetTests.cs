@@ -19,8 +19,8 @@ public class ShapeTargetDetectorSetTests
     {
         SetScore score = ScoreOf(Path.Combine(TestData.Folder, "detection", "stills"));
         Assert.Equal(12, score.Frames);
-        Check(score, leastRecall: 0.95, mostFalseAlarms: 0.6, mostRms: 0.2);
-        Assert.InRange(score.ClippedErrors.Mean, 0.5, 2.8);
+        Check(score, leastRecall: 0.96, leastOfSmall: 0.8, mostFalseAlarms: 0.35, mostRms: 0.2);
+        Assert.InRange(score.ClippedErrors.Mean, 1.5, 2.8);   // nine of them: too few for how many lie inside
     }
 
     [PictureSetTheory]
@@ -31,10 +31,7 @@ public class ShapeTargetDetectorSetTests
         string set, double leastRecall, double leastOfSmall, double mostFalseAlarms, double mostRms)
     {
         SetScore score = ScoreOf(Vectors.FolderOf(Path.Combine("imagery", set))!);
-        Check(score, leastRecall, mostFalseAlarms, mostRms);
-        (int found, int of) = score.BySize(4, 6);
-        Assert.True(found >= leastOfSmall * of, $"{found} of {of} small ones found");
-        CheckConsistency(score.ClearErrors);
+        Check(score, leastRecall, leastOfSmall, mostFalseAlarms, mostRms);
         if (score.ClippedErrors.Count > 0)
             CheckConsistency(score.ClippedErrors);
     }
@@ -45,15 +42,17 @@ public class ShapeTargetDetectorSetTests
         Assert.InRange(errors.Inside, 0.92, 0.98);
     }
 
-    private static void Check(SetScore score, double leastRecall, double mostFalseAlarms, double mostRms)
+    private static void Check(
+        SetScore score, double leastRecall, double leastOfSmall, double mostFalseAlarms, double mostRms)
     {
         (int found, int of) = score.BySize(6, double.PositiveInfinity);
         Assert.True(found >= leastRecall * of, $"{found} of {of} found");
         Assert.InRange(score.FalseAlarmsPerFrame, 0, mostFalseAlarms);
         Assert.InRange(score.ClearPanelRms, 0, mostRms);
         Assert.Equal(0, score.Duplicates);
-        Assert.InRange(score.ClearErrors.Mean, 0.5, 2.8);
-        Assert.InRange(score.ClearErrors.Inside, 0.92, 1);
+        CheckConsistency(score.ClearErrors);
+        (found, of) = score.BySize(4, 6);
+        Assert.True(found >= leastOfSmall * of, $"{found} of {of} small ones found");
     }
 
     private static SetScore ScoreOf(string folder)

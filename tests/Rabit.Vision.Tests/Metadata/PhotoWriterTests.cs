@@ -18,7 +18,7 @@ public sealed class PhotoWriterTests
         {
             TakenLocal = taken.AddTicks(1_234_560),
             TakenResolution = resolution is { } ticks ? TimeSpan.FromTicks(ticks) : null,
-            ExposureTime = TimeSpan.FromMilliseconds(1.25),
+            ExposureTime = TimeSpan.FromTicks(12_500),
         };
 
         PhotoMetadata read = PhotoMetadata.Read(
@@ -26,7 +26,7 @@ public sealed class PhotoWriterTests
 
         Assert.Equal(taken.AddTicks(fraction), read.TakenLocal);
         Assert.Equal(TimeSpan.FromTicks(expected), read.TakenResolution);
-        Assert.Equal(TimeSpan.FromMilliseconds(1.25), read.ExposureTime);
+        Assert.Equal(TimeSpan.FromTicks(12_500), read.ExposureTime);
     }
 
     [Fact]

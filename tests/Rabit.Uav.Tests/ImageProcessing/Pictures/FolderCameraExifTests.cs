@@ -20,7 +20,7 @@ public sealed class FolderCameraExifTests : IDisposable
     [Fact]
     public void Read_PicturesWithExif_HaveItsTimesAndAreNumberedInTheirOrder()
     {
-        Write("b.png", At(1.25), TwoHours, resolution: null, exposure: TimeSpan.FromMilliseconds(1.5));
+        Write("b.png", At(1.25), TwoHours, resolution: null, exposure: TimeSpan.FromTicks(15_000));
         Write("a.png", At(2.5), TwoHours, resolution: null, exposure: null);
 
         _rig.RunFor(At(4));
