@@ -42,8 +42,10 @@ internal sealed class PatchColour
     private const double LittleGreenSigma = 0.025;
     private const double FullyWarm = 0.02;   // red by blue, so that nothing jumps
 
-    // What is brighter against usual ground than white usually is, is hardly a stone, and its tint is of the light: so
-    // much, natural logarithm, counts. Against dark ground stones are as bright.
+    // What is brighter against usual ground than white usually is, is less often a stone, and its tint more often of the
+    // light: by how much less that counts, for up to so much, natural logarithm. Against dark ground stones are as
+    // bright.
+    private const double TintByBrightness = 0.3;
     private const double MaxBrighter = 0.35;
 
     // Ground that is paler than that by the picture is concrete or sand: white stands out less against it, but is as
@@ -158,7 +160,7 @@ internal sealed class PatchColour
             : Math.Min(ground, 4 * level) / Math.Max(1, inside);
         double off = Math.Log(ratio / Contrast);
         double weak = Math.Max(0, -off) / ContrastSigma;
-        double bright = IsWhite ? 1 + Clamp(off, 0, MaxBrighter) : 1;
+        double bright = IsWhite ? 1 + (TintByBrightness * Clamp(off, 0, MaxBrighter)) : 1;
         return (weak * weak) + (IsBright ? TintCost(shape, light) / (bright * bright) : ChromaCost(shape));
     }
 

@@ -206,9 +206,9 @@ public class PatchTests
     // Of a warm white, on usual ground and on ground so dark that a stone would be as bright: what it is brighter by
     // counts up to a limit.
     [Theory]
-    [InlineData(112, 2.2, 3.4)]
-    [InlineData(76, 1.3, 2.1)]
-    [InlineData(30, 1.7, 2.0)]
+    [InlineData(112, 3.2, 3.4)]
+    [InlineData(76, 2.7, 2.9)]
+    [InlineData(30, 2.7, 2.9)]
     public void CostOf_WarmWhite_IsTheLessTheBrighterItIs(byte ground, double min, double max)
     {
         byte[] picture = new byte[Width * Height * 3];

@@ -38,8 +38,8 @@ internal static class PatchCost
     private const double OtherSigma = 2;
 
     // How much brightness and tint of what is white, grey or black count: a square of one colour may be a slab of
-    // concrete, which they show; what has parts of other colours has a form that few such things have. No less than for
-    // a car, 0.65 of which is of its colour.
+    // concrete, which they show; what has parts of other colours has a form that few such things have, unless the border
+    // cuts it. No less than for a car, 0.65 of which is of its colour.
     private const double NeutralWeight = 3;
     private const double MinNeutralWeight = 1.95;
 
@@ -81,7 +81,7 @@ internal static class PatchCost
         ofColour = 0;
         if (colour.IsNeutral)
         {
-            cost += 3 + (Math.Max(MinNeutralWeight, NeutralWeight * target.MinColourShare) * colour.Cost);
+            cost += 3 + (NeutralWeightOf(target, cut) * colour.Cost);
             cost += Square(Math.Max(0, 8 - root) / 0.65);
             cost += Square(Math.Max(0, shape.Unevenness - ((0.02 + (0.3 / root)) / colour.PartOfWhite)) / 0.015);
             cost += Square(Math.Max(0, 130 - shape.Contrast) / 30);
@@ -102,6 +102,12 @@ internal static class PatchCost
         => target.IsMostlyOfOtherColours ? Square(Math.Max(0, MinOther - shape.OtherBeside) / OtherSigma)
             : target.MinColourShare == 1 ? Square(Math.Max(0, shape.OtherBeside - MaxOther) / OtherSigma)
             : 0;
+
+    private static double NeutralWeightOf(TargetClass target, double cut)
+    {
+        double ofForm = Math.Max(MinNeutralWeight, NeutralWeight * target.MinColourShare);
+        return ofForm + (cut * (NeutralWeight - ofForm));
+    }
 
     private static double ColourWeight(double root, double aspect)
     {
