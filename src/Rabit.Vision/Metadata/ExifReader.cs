@@ -178,10 +178,8 @@ internal sealed class ExifReader(byte[] file, int start, int length, PhotoMetada
                 Fault("its time is none: " + _date);
         }
 
-        if (_offset is { Length: 6 } && _offset[0] is '+' or '-' && TimeSpan.TryParseExact(
-            _offset!.Substring(1), "hh\\:mm", CultureInfo.InvariantCulture, out TimeSpan offset)
-            && offset <= TimeSpan.FromHours(14))
-            photo.UtcOffset = _offset[0] == '-' ? -offset : offset;
+        if (PhotoMetadata.TryParseUtcOffset(_offset, out TimeSpan offset))
+            photo.UtcOffset = offset;
         if (_gpsDate is not null && _gpsTime is not null && DateTime.TryParseExact(
             _gpsDate, "yyyy:MM:dd", CultureInfo.InvariantCulture, Style, out DateTime day)
             && (_gpsTime[0] * 3600) + (_gpsTime[1] * 60) + _gpsTime[2] is >= 0 and < 86_401 and double seconds

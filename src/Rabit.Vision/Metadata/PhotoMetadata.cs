@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 
 namespace Rabit.Vision;
 
@@ -126,6 +127,21 @@ public sealed class PhotoMetadata
 
     /// <summary>What could not be understood and is therefore missing, one line each.</summary>
     public IReadOnlyList<string> Faults { get; internal set; } = [];
+
+    /// <summary>Reads what a clock is ahead of UTC as EXIF writes it: "+02:00", from -14:00 to +14:00.</summary>
+    /// <param name="text">The text; null is none.</param>
+    /// <param name="offset">What it says; zero for none.</param>
+    public static bool TryParseUtcOffset(string? text, out TimeSpan offset)
+    {
+        bool isOffset = text is { Length: 6 } && text[0] is '+' or '-';
+        offset = default;
+        if (!isOffset || !TimeSpan.TryParseExact(
+            text!.Substring(1), "hh\\:mm", CultureInfo.InvariantCulture, out TimeSpan size)
+            || size > TimeSpan.FromHours(14))
+            return false;
+        offset = text[0] == '-' ? -size : size;
+        return true;
+    }
 
     /// <summary>
     /// Reads what the file of a JPEG or PNG says of itself before its pixels: at most its first 256 KB are read.

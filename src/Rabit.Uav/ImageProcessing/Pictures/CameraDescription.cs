@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
@@ -153,11 +152,8 @@ internal static class CameraDescription
             return null;
         if (hasSource)
             faults.Add($"{ExifUtcOffset} is of pictures in files, not of a source");
-        if (text.Length == 6 && text[0] is '+' or '-'
-            && TimeSpan.TryParseExact(
-                text.Substring(1), "hh\\:mm", CultureInfo.InvariantCulture, out TimeSpan offset)
-            && offset <= TimeSpan.FromHours(14))
-            return text[0] == '-' ? -offset : offset;
+        if (PhotoMetadata.TryParseUtcOffset(text, out TimeSpan offset))
+            return offset;
         faults.Add($"{ExifUtcOffset} is \"{text}\"; it must be as \"+02:00\", -14:00 to +14:00");
         return null;
     }

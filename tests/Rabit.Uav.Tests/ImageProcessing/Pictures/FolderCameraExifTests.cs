@@ -20,8 +20,8 @@ public sealed class FolderCameraExifTests : IDisposable
     [Fact]
     public void Read_PicturesWithExif_HaveItsTimesAndAreNumberedInTheirOrder()
     {
-        Write("b.png", At(1.25), TwoHours, resolution: null, exposure: TimeSpan.FromTicks(15_000));
-        Write("a.png", At(2.5), TwoHours, resolution: null, exposure: null);
+        Write("b.png", At(1.25), resolution: null, exposure: TimeSpan.FromTicks(15_000));
+        Write("a.png", At(2.5), resolution: null, exposure: null);
 
         _rig.RunFor(At(4));
 
@@ -42,7 +42,7 @@ public sealed class FolderCameraExifTests : IDisposable
     public void Read_TimeOfFewDecimals_IsTheMiddleOfWhatTheyLeaveOpen(
         int resolutionMilliseconds, double expectedSeconds, double expectedNoiseMilliseconds)
     {
-        Write("a.png", At(1.23), TwoHours, TimeSpan.FromMilliseconds(resolutionMilliseconds), exposure: null);
+        Write("a.png", At(1.23), TimeSpan.FromMilliseconds(resolutionMilliseconds), exposure: null);
 
         _rig.RunFor(At(3));
 
@@ -53,7 +53,7 @@ public sealed class FolderCameraExifTests : IDisposable
     [Fact]
     public void Read_ExifWithoutAZone_IsRefusedAndNamesTheKeyThatHasIt()
     {
-        Write("a.png", At(1), TwoHours, resolution: null, exposure: null, hasZone: false);
+        Write("a.png", At(1), resolution: null, exposure: null, hasZone: false);
 
         _rig.RunFor(At(3));
 
@@ -66,7 +66,7 @@ public sealed class FolderCameraExifTests : IDisposable
     public void Read_ExifWithoutAZone_IsOfTheZoneOfTheDescription()
     {
         SetOffset("+02:00");
-        Write("a.png", At(1), TwoHours, resolution: null, exposure: null, hasZone: false);
+        Write("a.png", At(1), resolution: null, exposure: null, hasZone: false);
 
         _rig.RunFor(At(3));
 
@@ -100,22 +100,16 @@ public sealed class FolderCameraExifTests : IDisposable
     private static TimeSpan At(double seconds)
         => TimeSpan.FromTicks((long)Math.Round(seconds * TimeSpan.TicksPerSecond));
 
-    private void SetOffset(string offset)
-    {
-        string file = _rig.PathOf(CameraFolder.DescriptionFile);
-        string json = File.ReadAllText(file).TrimEnd();
-        File.WriteAllText(file, json.Insert(json.Length - 1, $", \"exifUtcOffset\": \"{offset}\""));
-        _rig.Reopen();
-    }
+    private void SetOffset(string offset) => _rig.Describe($"\"exifUtcOffset\": \"{offset}\"");
 
     private void Write(
-        string name, TimeSpan start, TimeSpan zone, TimeSpan? resolution, TimeSpan? exposure, bool hasZone = true)
+        string name, TimeSpan start, TimeSpan? resolution, TimeSpan? exposure, bool hasZone = true)
     {
         var photo = new PhotoMetadata
         {
-            TakenLocal = (FolderCameraRig.StartUtc + start + zone).DateTime,
+            TakenLocal = (FolderCameraRig.StartUtc + start + TwoHours).DateTime,
             TakenResolution = resolution,
-            UtcOffset = hasZone ? zone : null,
+            UtcOffset = hasZone ? TwoHours : null,
             ExposureTime = exposure,
         };
         File.WriteAllBytes(_rig.PathOf(name), PngPicture.Encode(SamplePictures.Random(4, 5, seed: 1), photo));

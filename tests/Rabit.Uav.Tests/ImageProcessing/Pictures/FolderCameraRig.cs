@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using Rabit.Core;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
@@ -47,6 +48,16 @@ internal sealed class FolderCameraRig : IDisposable
 
     /// <summary>Whether the pictures that come are kept, instead of given back.</summary>
     public bool KeepsPictures { get; set; }
+
+    /// <summary>Adds a key to the description of the camera and reads it again, before the run.</summary>
+    /// <param name="key">As it stands in the file, with its value; nothing if empty.</param>
+    public void Describe(string key)
+    {
+        string file = PathOf(CameraFolder.DescriptionFile);
+        string json = File.ReadAllText(file).TrimEnd();
+        File.WriteAllText(file, key.Length == 0 ? json : json.Insert(json.Length - 1, ", " + key));
+        Reopen();
+    }
 
     /// <summary>Reads the description of the camera again, before the run.</summary>
     public void Reopen()

@@ -42,14 +42,11 @@ public sealed class FolderCameraTests : IDisposable
 
     [Theory]
     [InlineData("", 5)]
-    [InlineData(", \"timeNoiseMicroseconds\": 1500", 1.5)]
-    [InlineData(", \"timeNoiseMicroseconds\": 0", 0)]
+    [InlineData("\"timeNoiseMicroseconds\": 1500", 1.5)]
+    [InlineData("\"timeNoiseMicroseconds\": 0", 0)]
     public void Read_TimeNoise_IsThatOfTheDescription(string key, double milliseconds)
     {
-        string file = _rig.PathOf(CameraFolder.DescriptionFile);
-        string json = File.ReadAllText(file).TrimEnd();
-        File.WriteAllText(file, json.Insert(json.Length - 1, key));
-        _rig.Reopen();
+        _rig.Describe(key);
         _rig.Write(1, At(0.5));
 
         _rig.RunFor(At(1));
@@ -67,12 +64,10 @@ public sealed class FolderCameraTests : IDisposable
     [InlineData("5, \"source\": { \"program\": \"x\" }", "that of a source is source.timeNoiseMicroseconds")]
     public void Open_TimeNoiseThatIsNone_IsRefused(string value, string expected)
     {
-        string file = _rig.PathOf(CameraFolder.DescriptionFile);
-        string json = File.ReadAllText(file).TrimEnd();
-        File.WriteAllText(file, json.Insert(json.Length - 1, ", \"timeNoiseMicroseconds\": " + value));
+        string key = "\"timeNoiseMicroseconds\": " + value;
 
         Assert.Contains(
-            expected, Assert.Throws<PictureException>(() => _rig.Reopen()).Reason, StringComparison.Ordinal);
+            expected, Assert.Throws<PictureException>(() => _rig.Describe(key)).Reason, StringComparison.Ordinal);
     }
 
     [Fact]
