@@ -42,8 +42,8 @@ internal sealed class PatchColour
     private const double LittleGreenSigma = 0.025;
     private const double FullyWarm = 0.02;   // red by blue, so that nothing jumps
 
-    // What is brighter against usual ground than white usually is, is less often a stone, and its tint more often of the
-    // light: by how much less that counts, for up to so much, natural logarithm. Against dark ground stones are as
+    // What is brighter against usual ground than white usually is, is less often a stone, and its tint more often of
+    // the light: by how much less that counts, for up to so much, natural logarithm. Against dark ground stones are as
     // bright.
     private const double TintByBrightness = 0.3;
     private const double MaxBrighter = 0.35;

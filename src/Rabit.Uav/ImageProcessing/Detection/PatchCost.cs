@@ -38,8 +38,8 @@ internal static class PatchCost
     private const double OtherSigma = 2;
 
     // How much brightness and tint of what is white, grey or black count: a square of one colour may be a slab of
-    // concrete, which they show; what has parts of other colours has a form that few such things have, unless the border
-    // cuts it. No less than for a car, 0.65 of which is of its colour.
+    // concrete, which they show; what has parts of other colours has a form that few such things have, unless the
+    // border cuts it. No less than for a car, 0.65 of which is of its colour.
     private const double NeutralWeight = 3;
     private const double MinNeutralWeight = 1.95;
 
