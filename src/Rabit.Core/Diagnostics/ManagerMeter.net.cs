@@ -21,7 +21,11 @@ internal sealed class ManagerMeter : IDisposable
     {
         _managers = managers;
         _read = read;
-        _meter = new Meter(new MeterOptions(MeterName) { Tags = [new("rabit.run", run)], Scope = this });
+        _meter = new Meter(new MeterOptions(MeterName)
+        {
+            Tags = new KeyValuePair<string, object?>[] { new("rabit.run", run) },
+            Scope = this,
+        });
         Gauge(
             "rabit.manager.state", "Where the manager is in its life, as a number of ManagerState.", s => (int)s.State);
         Counter("rabit.manager.runs", "{run}", "Units of work.", s => s.Runs);

@@ -1,5 +1,4 @@
 using System;
-using System.Linq;
 using System.Runtime.CompilerServices;
 using System.Threading;
 using Rabit.Core.WakeUp;
@@ -75,7 +74,12 @@ internal sealed class SlotPool<TSlot, TSync>
     /// <param name="count">How many.</param>
     /// <param name="isOutside">Whether only its documentation holds the poster to one thread.</param>
     public SpareSlots NewSpares(int count, bool isOutside)
-        => new([.. Enumerable.Range(0, count).Select(_ => AddSlot())], isOutside);
+    {
+        int[] indices = new int[count];
+        for (int i = 0; i < count; i++)
+            indices[i] = AddSlot();
+        return new SpareSlots(indices, isOutside);
+    }
 
     /// <summary>Posts a value.</summary>
     /// <returns>Its version.</returns>

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
 
@@ -8,11 +7,11 @@ namespace Rabit.Core.Messages;
 /// The slots that belong to one poster, which alone writes them: first in, first out, so that one that was the latest
 /// is written over as late as can be. For the poster's thread.
 /// </summary>
-/// <param name="indices">Where they are in the pool.</param>
+/// <param name="indices">Where they are in the pool; the array is then this object's.</param>
 /// <param name="isOutside">Whether only its documentation holds the poster to one thread.</param>
-internal sealed class SpareSlots(IEnumerable<int> indices, bool isOutside)
+internal sealed class SpareSlots(int[] indices, bool isOutside)
 {
-    private int[] _indices = [.. indices];
+    private int[] _indices = indices;
     private int _next;
     private int _isInUse;   // of a poster outside managers
 

@@ -138,18 +138,23 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
     /// <summary>As <see cref="Run"/>, on a thread of its own.</summary>
     /// <param name="stop">Stops the run when cancelled; the task then ends with the result, not as cancelled.</param>
     /// <returns>How each manager ended; or the exceptions of <see cref="Run"/>.</returns>
-    public async Task<ReactorResult> RunAsync(CancellationToken stop = default)
+    public Task<ReactorResult> RunAsync(CancellationToken stop = default)
     {
+        // Not an async method: a program that waits for the run in its main thread needs no pool of threads for it.
         var ended = new TaskCompletionSource<ReactorResult>(TaskCreationOptions.RunContinuationsAsynchronously);
+        CancellationTokenRegistration cancellation = stop.Register(() => Stop("cancelled"));
         var thread = new Thread(() =>
         {
             try
             {
-                ended.SetResult(Run());
+                ReactorResult result = Run();
+                cancellation.Dispose();
+                ended.SetResult(result);
             }
             catch (Exception e)
             {
                 // It is for the caller that awaits the task.
+                cancellation.Dispose();
                 ended.SetException(e);
             }
         })
@@ -157,11 +162,8 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
             Name = Source,
             IsBackground = true,
         };
-        using (stop.Register(() => Stop("cancelled")))
-        {
-            thread.Start();
-            return await ended.Task.ConfigureAwait(false);
-        }
+        thread.Start();
+        return ended.Task;
     }
 
     /// <summary>

@@ -39,7 +39,9 @@ internal sealed class ReactorSupervision : IDisposable
             return;
         }
 
-        TimeSpan shortest = managers.Min(m => MinLimit(m.Hangs.Policy));
+        TimeSpan shortest = TimeSpan.MaxValue;
+        foreach (ManagerActivity manager in managers)
+            shortest = Times.Earlier(shortest, MinLimit(manager.Hangs.Policy));
         if (shortest < TimeSpan.MaxValue)
             _watchdog = new WatchdogActivity(managers, _statuses, clock, IntervalFor(shortest), hasThreads: true);
     }

@@ -52,7 +52,7 @@ internal sealed class SlotModel : ExploredModel
         {
             (int done, int own, string indices) = (At)from;
             int post = model._scenario.Posts.Take(number).Sum() + done + 1;
-            var spares = new SpareSlots(indices.Split(',').Select(int.Parse), isOutside: false);
+            var spares = new SpareSlots([.. indices.Split(',').Select(int.Parse)], isOutside: false);
             int version = model._slots.Store(post, spares);
             ExploredSyncPoints.Note((version, post, own), state =>
             {
