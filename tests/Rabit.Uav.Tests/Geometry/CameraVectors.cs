@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using System.Text.Json;
 using Rabit.Geodesy;
@@ -9,13 +10,17 @@ namespace Rabit.Uav.Tests.Geometry;
 /// <summary>The cameras and mounts of the reference values.</summary>
 internal static class CameraVectors
 {
-    public static CameraModel Camera(int index)
+    /// <param name="index">Which one.</param>
+    /// <param name="lineTimeSeconds">How long its sensor reads a row.</param>
+    public static CameraModel Camera(int index, double lineTimeSeconds = 0)
     {
         JsonElement c = Vectors.Geolocation.Each("cameras").ElementAt(index);
         return new CameraModel
         {
             Width = c.GetProperty("width").GetInt32(),
             Height = c.GetProperty("height").GetInt32(),
+            Readout = TimeSpan.FromTicks(
+                (long)Math.Round(lineTimeSeconds * c.GetProperty("height").GetInt32() * TimeSpan.TicksPerSecond)),
             FocalX = c.Number("fx"),
             FocalY = c.Number("fy"),
             CentreX = c.Number("cx"),

@@ -4,6 +4,8 @@ using System.Linq;
 using System.Text.Json;
 using Rabit.Geodesy;
 using Rabit.Geodesy.Tests;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
 using Rabit.Uav.Tests.Geometry;
@@ -28,11 +30,16 @@ public sealed class SeriesTests
             int id = image.GetProperty("series").GetInt32();
             JsonElement own = series[id];
             double start = own.Each("samples").First()[0].GetDouble();
-            double exposed = image.Number("frame_start_camera_clock") - own.Number("clock_offset_s")
-                + (image.Number("exposure_s") / 2);
-            var camera = CameraVectors.Camera(image.GetProperty("cam").GetInt32());
-            TimeSpan time = Seconds(exposed + (image.Number("v") * own.Number("line_time_s")) - start);
-            PoseLookup answer = histories[id].Find(time, out Pose pose);
+            CameraModel camera = CameraVectors.Camera(
+                image.GetProperty("cam").GetInt32(), own.Number("line_time_s"));
+            var rows = new RowPoses(camera, histories[id], TimeSpan.Zero);
+            var frame = new CameraFrame
+            {
+                FrameStart = Seconds(
+                    image.Number("frame_start_camera_clock") - own.Number("clock_offset_s") - start),
+                Exposure = Seconds(image.Number("exposure_s")),
+            };
+            PoseLookup answer = histories[id].Find(rows.TimeOf(frame, image.Number("v")), out Pose pose);
             if (image.Text("status") == "not_bracketed")
             {
                 Assert.Equal(PoseLookup.NotYet, answer);
