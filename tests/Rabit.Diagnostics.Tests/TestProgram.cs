@@ -1,8 +1,8 @@
 using System;
 using System.IO;
-using System.Threading;
 using Rabit.Core;
 using Rabit.Diagnostics.Serving;
+using Rabit.Tests.Shared;
 
 namespace Rabit.Diagnostics.Tests;
 
@@ -65,12 +65,11 @@ internal sealed class TestProgram : IDisposable
     /// <summary>Waits until the counters are so; the clients have threads of their own.</summary>
     public void Until(Func<DiagnosticsCounters, bool> condition)
     {
-        var limit = System.Diagnostics.Stopwatch.StartNew();
+        var timeout = new TestTimeout();
         while (!condition(Diagnostics.Counters))
         {
-            if (limit.Elapsed > TimeSpan.FromSeconds(60))
+            if (!timeout.TryWait())
                 throw new TimeoutException($"It is {Diagnostics.Counters}.");
-            Thread.Yield();
         }
     }
 

@@ -5,6 +5,7 @@ using System.Linq;
 using System.Net.Sockets;
 using System.Text;
 using Microsoft.Extensions.DependencyInjection;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Hosting.Tests;
@@ -36,8 +37,11 @@ internal sealed class FakeSystemd : IDisposable
         return services.AddRabitSystemd();
     }
 
+    /// <summary>The next notification; null when none comes.</summary>
+    public string? Next() => Next(TestTimeout.Limit.TotalSeconds);
+
     /// <summary>The next notification; null when none comes in the time.</summary>
-    public string? Next(double seconds = 10)
+    public string? Next(double seconds)
     {
         if (!_socket.Poll((int)(seconds * 1e6), SelectMode.SelectRead))
             return null;

@@ -5,6 +5,7 @@ using System.Threading.Tasks;
 using Microsoft.Extensions.DependencyInjection;
 using Microsoft.Extensions.Diagnostics.HealthChecks;
 using Rabit.Core;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Hosting.Tests;
@@ -12,8 +13,6 @@ namespace Rabit.Hosting.Tests;
 /// <summary>Health checks from the status of the managers.</summary>
 public sealed class HealthTests
 {
-    private static readonly TimeSpan Limit = TimeSpan.FromSeconds(10);
-
     [Fact]
     public async Task Check_AllManagersRun_IsHealthyWithTheirData()
     {
@@ -99,16 +98,16 @@ public sealed class HealthTests
     private static async Task<HealthReportEntry> WaitForAsync(
         TestHost host, HealthStatus status, Func<HealthReportEntry, bool>? isMeant = null)
     {
-        var time = System.Diagnostics.Stopwatch.StartNew();
+        var timeout = new TestTimeout();
         var seen = new List<string>();
-        while (time.Elapsed < Limit)
+        do
         {
             HealthReportEntry entry = await CheckAsync(host);
             if (entry.Status == status && isMeant?.Invoke(entry) != false)
                 return entry;
             seen.Add($"{entry.Status}: {entry.Description}");
-            await Task.Delay(10);
         }
+        while (await timeout.TryWaitAsync());
 
         throw new TimeoutException(string.Join("\n", seen.Distinct()));
     }

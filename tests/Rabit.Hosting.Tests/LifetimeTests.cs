@@ -4,6 +4,7 @@ using System.Threading;
 using System.Threading.Tasks;
 using Microsoft.Extensions.DependencyInjection;
 using Rabit.Core;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Hosting.Tests;
@@ -82,7 +83,7 @@ public sealed class LifetimeTests
             s => s.AddRabit(r => r.AddManager(_ => stuck).AddManager(_ => new Actor("actor", _ => { }))
                 .Configure(o => o.StopTimeout = TimeSpan.FromSeconds(0.2))));
         await host.StartAsync();
-        Assert.True(stuck.Entered.WaitOne(TimeSpan.FromSeconds(10)));
+        Assert.True(stuck.Entered.WaitOne(TestTimeout.Limit));
 
         await host.StopAsync();
 
@@ -101,7 +102,7 @@ public sealed class LifetimeTests
         using var host = new TestHost(
             s => s.AddRabit(r => r.AddManager(_ => stuck).AddManager(_ => new Actor("actor", _ => { }))));
         await host.StartAsync();
-        Assert.True(stuck.Entered.WaitOne(TimeSpan.FromSeconds(10)));
+        Assert.True(stuck.Entered.WaitOne(TestTimeout.Limit));
 
         await host.StopAsync(new CancellationToken(canceled: true));
 

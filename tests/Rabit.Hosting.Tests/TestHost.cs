@@ -6,14 +6,13 @@ using Microsoft.Extensions.Configuration;
 using Microsoft.Extensions.DependencyInjection;
 using Microsoft.Extensions.Hosting;
 using Microsoft.Extensions.Logging;
+using Rabit.Tests.Shared;
 
 namespace Rabit.Hosting.Tests;
 
 /// <summary>A host of its own for a test: no console, no signals, its log and its exit code kept.</summary>
 internal sealed class TestHost : IDisposable
 {
-    private static readonly TimeSpan Limit = TimeSpan.FromSeconds(120);
-
     private readonly IHost _host;
 
     public TestHost(
@@ -47,13 +46,13 @@ internal sealed class TestHost : IDisposable
 
     /// <summary>Until the one reactor has ended.</summary>
     public async Task WaitForReactorAsync()
-        => await Task.WhenAny(Reactors.Find("rabit")!.Ended, Task.Delay(Limit));
+        => await Task.WhenAny(Reactors.Find("rabit")!.Ended, Task.Delay(TestTimeout.Limit));
 
     /// <summary>Until something stops the host from inside; then stops it.</summary>
     public async Task WaitForEndAsync()
     {
         Task stopped = _host.WaitForShutdownAsync();
-        Task first = await Task.WhenAny(stopped, Task.Delay(Limit));
+        Task first = await Task.WhenAny(stopped, Task.Delay(TestTimeout.Limit));
         Xunit.Assert.True(first == stopped, "The host does not stop.\n" + Log);
         await stopped;
     }

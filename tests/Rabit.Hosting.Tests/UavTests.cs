@@ -183,9 +183,9 @@ public sealed class UavTests
         Assert.Equal(HealthStatus.Unhealthy, (await CheckAsync(host))["vehicle"].Status);
         await host.StartAsync();
         HealthReportEntry entry = (await CheckAsync(host))["vehicle"];
-        for (int i = 0; i < 3000 && (string)entry.Data["level"] == "Unknown"; i++)
+        var timeout = new TestTimeout();
+        while ((string)entry.Data["level"] == "Unknown" && await timeout.TryWaitAsync())
         {
-            await Task.Delay(10);
             entry = (await CheckAsync(host))["vehicle"];
         }
 

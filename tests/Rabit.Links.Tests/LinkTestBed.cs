@@ -6,7 +6,7 @@ namespace Rabit.Links.Tests;
 public abstract class LinkTestBed : IDisposable
 {
     /// <summary>How long a test waits for what must happen, on a machine that is busy.</summary>
-    public static readonly TimeSpan TestTimeout = TimeSpan.FromSeconds(20);
+    public static TimeSpan TestTimeout => Rabit.Tests.Shared.TestTimeout.Limit;
 
     /// <summary>Opened, and known to the other end.</summary>
     public abstract IByteLink Link { get; }

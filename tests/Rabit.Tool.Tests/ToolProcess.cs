@@ -5,6 +5,7 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using System.Threading.Tasks;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Tool.Tests;
@@ -12,7 +13,7 @@ namespace Rabit.Tool.Tests;
 /// <summary>The tool as a user starts it: a process of its own, on the runtime that the tests run on.</summary>
 internal sealed class ToolProcess
 {
-    private static readonly TimeSpan TimeLimit = TimeSpan.FromSeconds(100);
+    private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(100);   // on an idle machine
     private static readonly string Folder = Path.GetDirectoryName(typeof(ToolProcess).Assembly.Location)!;
     private static readonly bool IsMono = Type.GetType("Mono.Runtime") is not null;
 
@@ -82,7 +83,7 @@ internal sealed class ToolProcess
         process.StandardInput.Close();
         Task<string> output = process.StandardOutput.ReadToEndAsync();
         Task<string> errors = process.StandardError.ReadToEndAsync();
-        if (!process.WaitForExit((int)TimeLimit.TotalMilliseconds))
+        if (!process.WaitForExit((int)TestTimeout.LimitOf(MaxWait).TotalMilliseconds))
         {
             process.Kill();
             Assert.Fail($"{program} {arguments} does not end.");

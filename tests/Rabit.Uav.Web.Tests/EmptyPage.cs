@@ -7,6 +7,7 @@ using System.Text;
 using System.Threading;
 using System.Threading.Tasks;
 using Rabit.Core;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Uav.Web.Tests;
@@ -70,9 +71,9 @@ internal sealed class EmptyPage : IAsyncDisposable
 
     public static async Task WaitAsync(Func<bool> condition)
     {
-        for (int look = 0; look < 1200 && !condition(); look++)
-            await Task.Delay(25);
-        Assert.True(condition());
+        var timeout = new TestTimeout();
+        while (!condition())
+            Assert.True(await timeout.TryWaitAsync(), "It never came so.");
     }
 
     public async ValueTask DisposeAsync()

@@ -6,6 +6,7 @@ using System.Linq;
 using System.Runtime.InteropServices;
 using System.Text;
 using System.Threading;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace UavConsole.Tests;
@@ -16,7 +17,7 @@ internal sealed class ConsoleProcess : IDisposable
     public const int Interrupt = 2;
     public const int Terminate = 15;
 
-    private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(150);
+    private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(150);   // on an idle machine
     private static readonly string Folder = Path.GetDirectoryName(typeof(ConsoleProcess).Assembly.Location)!;
     private static readonly bool IsMono = Type.GetType("Mono.Runtime") is not null;
 
@@ -116,14 +117,13 @@ internal sealed class ConsoleProcess : IDisposable
     {
         lock (_gate)
         {
-            DateTime end = DateTime.UtcNow + MaxWait;
+            var timeout = new TestTimeout(MaxWait);
             while (true)
             {
                 if (_output.Find(l => l.Contains(text)) is { } line)
                     return line;
-                if (_openStreams == 0 || DateTime.UtcNow > end)
+                if (_openStreams == 0 || !timeout.TryWait(_gate))
                     throw new TimeoutException($"No line holds '{text}'. {DescribeLocked()}");
-                Monitor.Wait(_gate, TimeSpan.FromSeconds(1));
             }
         }
     }
@@ -133,12 +133,15 @@ internal sealed class ConsoleProcess : IDisposable
 
     public int WaitForEnd()
     {
-        bool hasExited = _process.WaitForExit((int)MaxWait.TotalMilliseconds);
+        bool hasExited = _process.WaitForExit((int)TestTimeout.LimitOf(MaxWait).TotalMilliseconds);
         lock (_gate)
         {
-            DateTime end = DateTime.UtcNow + MaxWait;
-            while (hasExited && _openStreams > 0 && DateTime.UtcNow < end)
-                Monitor.Wait(_gate, TimeSpan.FromSeconds(1));
+            var timeout = new TestTimeout(MaxWait);
+            while (hasExited && _openStreams > 0 && timeout.TryWait(_gate))
+            {
+                // What the process has written is still on its way.
+            }
+
             Assert.True(hasExited, "It does not end. " + DescribeLocked());
             return _process.ExitCode;
         }

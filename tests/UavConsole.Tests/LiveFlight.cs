@@ -7,6 +7,7 @@ using System.Net;
 using System.Net.Sockets;
 using System.Threading;
 using Rabit.Mavlink;
+using Rabit.Tests.Shared;
 using Rabit.Uav.Tests;
 using Rabit.Uav.Tests.Communications;
 
@@ -73,10 +74,14 @@ internal sealed class LiveFlight : IDisposable
     {
         lock (_gate)
         {
-            Stopwatch clock = Stopwatch.StartNew();
-            while (!_received.Any(isMeant) && clock.Elapsed < TimeSpan.FromSeconds(30))
-                Monitor.Wait(_gate, TimeSpan.FromSeconds(1));
-            return _received.Any(isMeant);
+            var timeout = new TestTimeout();
+            while (!_received.Any(isMeant))
+            {
+                if (!timeout.TryWait(_gate))
+                    return false;
+            }
+
+            return true;
         }
     }
 

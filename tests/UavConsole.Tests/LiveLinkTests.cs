@@ -9,6 +9,7 @@ using System.Threading.Tasks;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Links;
+using Rabit.Tests.Shared;
 using Rabit.Uav.Tests.Communications;
 using Rabit.Uav.Tests;
 using Xunit;
@@ -145,7 +146,7 @@ public sealed class LiveLinkTests : IDisposable
         server.Server.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.ReuseAddress, true);
         server.Start();
         Task<TcpClient> accept = server.AcceptTcpClientAsync();
-        Assert.True(accept.Wait(TimeSpan.FromSeconds(20)), "no connection");
+        Assert.True(accept.Wait(TestTimeout.Limit), "no connection");
         server.Stop();
         return accept.Result;
     }

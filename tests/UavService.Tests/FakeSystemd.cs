@@ -3,13 +3,14 @@ using System.Collections.Generic;
 using System.IO;
 using System.Net.Sockets;
 using System.Text;
+using Rabit.Tests.Shared;
 
 namespace UavService.Tests;
 
 /// <summary>The service manager's end of the notification protocol, in the file system or abstract.</summary>
 internal sealed class FakeSystemd : IDisposable
 {
-    private static readonly TimeSpan Limit = TimeSpan.FromSeconds(120);
+    private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(120);   // on an idle machine
 
     private readonly Socket _socket = new(AddressFamily.Unix, SocketType.Dgram, ProtocolType.Unspecified);
     private readonly byte[] _buffer = new byte[4096];
@@ -32,11 +33,8 @@ internal sealed class FakeSystemd : IDisposable
     /// <summary>The next notification that holds a text; those before it are in <see cref="All"/>.</summary>
     public string WaitFor(string text)
     {
-        long end = Environment.TickCount64 + (long)Limit.TotalMilliseconds;
-        while (Environment.TickCount64 < end)
+        while (_socket.Poll(TestTimeout.LimitOf(MaxWait), SelectMode.SelectRead))
         {
-            if (!_socket.Poll(1_000_000, SelectMode.SelectRead))
-                continue;
             All.Add(Encoding.UTF8.GetString(_buffer, 0, _socket.Receive(_buffer)));
             if (All[^1].Contains(text, StringComparison.Ordinal))
                 return All[^1];

@@ -6,6 +6,7 @@ using System.Linq;
 using System.Runtime.InteropServices;
 using System.Text;
 using System.Threading;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace UavService.Tests;
@@ -15,8 +16,7 @@ internal sealed class ServiceProcess : IDisposable
 {
     public const int Terminate = 15;
 
-    private const int MaxMilliseconds = 120_000;
-
+    private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(120);   // on an idle machine
     private static readonly string Program = Path.Combine(AppContext.BaseDirectory, "UavService.dll");
 
     private readonly StringBuilder _output = new();   // locked by itself
@@ -60,14 +60,13 @@ internal sealed class ServiceProcess : IDisposable
     /// <summary>Waits until its output holds a text.</summary>
     public void WaitFor(string text)
     {
-        long end = Environment.TickCount64 + MaxMilliseconds;
+        var timeout = new TestTimeout(MaxWait);
         lock (_output)
         {
             while (!_output.ToString().Contains(text, StringComparison.Ordinal))
             {
                 Assert.True(
-                    !_process.HasExited && Environment.TickCount64 < end, $"No '{text}' in:\n{_output}\n{Errors}");
-                Monitor.Wait(_output, TimeSpan.FromSeconds(1));
+                    !_process.HasExited && timeout.TryWait(_output), $"No '{text}' in:\n{_output}\n{Errors}");
             }
         }
     }
@@ -81,7 +80,7 @@ internal sealed class ServiceProcess : IDisposable
     /// <returns>The exit code.</returns>
     public int WaitForEnd()
     {
-        Assert.True(_process.WaitForExit(MaxMilliseconds), "It does not end:\n" + Output + Errors);
+        Assert.True(_process.WaitForExit(TestTimeout.LimitOf(MaxWait)), "It does not end:\n" + Output + Errors);
         _process.WaitForExit();   // also for all that it has written
         return _process.ExitCode;
     }

@@ -2,7 +2,6 @@ using System;
 using System.Linq;
 using System.Threading;
 using Rabit.Core.Locks;
-using Rabit.Core.Tests.Contracts;
 using Rabit.Tests.Shared;
 using Xunit;
 

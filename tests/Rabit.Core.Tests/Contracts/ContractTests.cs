@@ -1,5 +1,6 @@
 using System;
 using System.Threading.Tasks;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Core.Tests.Contracts;

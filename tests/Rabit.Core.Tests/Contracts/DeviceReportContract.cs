@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Threading;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Core.Tests.Contracts;

@@ -1,4 +1,5 @@
 using System;
+using Rabit.Tests.Shared;
 
 namespace Rabit.Core.Tests.Contracts;
 

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
 using Rabit.Core.Tests.Contracts;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Core.Tests.Devices;

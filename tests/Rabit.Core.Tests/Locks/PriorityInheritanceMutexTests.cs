@@ -5,7 +5,7 @@ using System.Linq;
 using System.Threading;
 using Rabit.Core.Locks;
 using Rabit.Core.RealTimeKit;
-using Rabit.Core.Tests.Contracts;
+using Rabit.Tests.Shared;
 using Xunit;
 using Xunit.Abstractions;
 

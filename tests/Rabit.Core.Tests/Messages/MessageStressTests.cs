@@ -3,9 +3,9 @@ using System.Diagnostics;
 using System.Linq;
 using System.Threading;
 using Rabit.Core.Messages;
-using Rabit.Core.Tests.Contracts;
 using Rabit.Core.WakeUp;
 using Rabit.Core.Wiring;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Core.Tests.Messages;

@@ -1,6 +1,6 @@
 using System.Linq;
 using System.Threading;
-using Rabit.Core.Tests.Contracts;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Core.Tests.Messages;

@@ -3,8 +3,8 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
 using Rabit.Core.Queues;
-using Rabit.Core.Tests.Contracts;
 using Rabit.Core.WakeUp;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Core.Tests.Queues;

@@ -5,9 +5,9 @@ using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
 using Rabit.Core.Queues;
-using Rabit.Core.Tests.Contracts;
 using Rabit.Core.Time;
 using Rabit.Core.WakeUp;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Core.Tests.Queues;

@@ -4,6 +4,7 @@ using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
 using Rabit.Core.Tests.Contracts;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Core.Tests.Reactors;

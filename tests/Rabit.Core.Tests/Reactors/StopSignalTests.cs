@@ -1,6 +1,7 @@
 using System;
 using System.Threading;
 using Rabit.Core.Tests.Contracts;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Core.Tests.Reactors;

@@ -4,6 +4,7 @@ using System.Linq;
 using System.Threading;
 using Rabit.Core.Reactors;
 using Rabit.Core.Tests.Contracts;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Core.Tests.Reactors;

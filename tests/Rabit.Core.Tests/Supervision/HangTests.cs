@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using System.Threading;
 using Rabit.Core.Tests.Contracts;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Core.Tests.Supervision;

@@ -5,6 +5,7 @@ using System.Threading;
 using Rabit.Core.Tests.Contracts;
 using Rabit.Core.Tests.Messages;
 using Rabit.Core.Tests.RealTimeKit;
+using Rabit.Tests.Shared;
 
 namespace Rabit.Core.Tests.Supervision;
 

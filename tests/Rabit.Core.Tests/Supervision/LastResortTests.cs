@@ -5,6 +5,7 @@ using System.Threading;
 using Rabit.Core.Tests.Contracts;
 using Rabit.Core.Tests.Diagnostics;
 using Rabit.Core.Tests.Time;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Core.Tests.Supervision;

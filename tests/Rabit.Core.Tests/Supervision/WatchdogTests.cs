@@ -4,6 +4,7 @@ using System.Linq;
 using System.Threading;
 using Rabit.Core.Tests.Contracts;
 using Rabit.Core.Tests.Time;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Core.Tests.Supervision;

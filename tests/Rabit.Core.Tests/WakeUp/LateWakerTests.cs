@@ -2,6 +2,7 @@ using System;
 using System.Threading;
 using Rabit.Core.Tests.Contracts;
 using Rabit.Core.Tests.Time;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Core.Tests.WakeUp;

@@ -1,9 +1,9 @@
 using System;
 using System.Diagnostics;
 using System.Threading;
-using Rabit.Core.Tests.Contracts;
 using Rabit.Core.Time;
 using Rabit.Core.WakeUp;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Core.Tests.WakeUp;

@@ -3,13 +3,14 @@ using System.Diagnostics;
 using System.IO;
 using System.Text;
 using System.Threading;
+using Rabit.Tests.Shared;
 
 namespace Rabit.Tool.Tests.Running;
 
 /// <summary>The tool on a pseudo-terminal of 110 columns and 24 lines, which the program script makes.</summary>
 internal sealed class TerminalProcess : IDisposable
 {
-    private static readonly TimeSpan TimeLimit = TimeSpan.FromSeconds(100);
+    private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(100);   // on an idle machine
 
     private readonly Process _process;
     private readonly object _gate = new();
@@ -53,14 +54,13 @@ internal sealed class TerminalProcess : IDisposable
     /// <summary>Waits until a text was written, at a place or after it.</summary>
     public void WaitFor(string text, int from = 0)
     {
-        var limit = Stopwatch.StartNew();
+        var timeout = new TestTimeout(MaxWait);
         lock (_gate)
         {
             while (_output.ToString().IndexOf(text, from, StringComparison.Ordinal) < 0)
             {
-                if (limit.Elapsed > TimeLimit)
+                if (!timeout.TryWait(_gate))
                     throw new TimeoutException($"There is no '{text}' in: {_output}");
-                Monitor.Wait(_gate, TimeSpan.FromSeconds(1));
             }
         }
     }
@@ -68,7 +68,7 @@ internal sealed class TerminalProcess : IDisposable
     /// <returns>The exit code.</returns>
     public int WaitForEnd()
     {
-        if (!_process.WaitForExit(TimeLimit))
+        if (!_process.WaitForExit(TestTimeout.LimitOf(MaxWait)))
             throw new TimeoutException($"It does not end: {Output}");
         return _process.ExitCode;
     }

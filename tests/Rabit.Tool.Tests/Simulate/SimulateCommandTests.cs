@@ -8,6 +8,7 @@ using System.Text.Json;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Links;
+using Rabit.Tests.Shared;
 using Rabit.Uav.Simulation.Tests.Sample;
 using Xunit;
 
@@ -16,8 +17,6 @@ namespace Rabit.Tool.Tests.Simulate;
 /// <summary><c>rabit simulate</c>, over UDP in real time.</summary>
 public class SimulateCommandTests
 {
-    private static readonly TimeSpan TestTimeout = TimeSpan.FromSeconds(30);
-
     [Fact]
     public void Udp_GroundStationComesLate_IsConnectedAnsweredAndStoppedInOrder()
     {
@@ -144,7 +143,7 @@ public class SimulateCommandTests
     {
         var clock = Stopwatch.StartNew();
         byte[] bytes = new byte[2048];
-        while (clock.Elapsed < TestTimeout)
+        while (clock.Elapsed < TestTimeout.Limit)
         {
             // One datagram is one frame.
             LinkRead read = link.Read(bytes);
@@ -163,7 +162,7 @@ public class SimulateCommandTests
         var clock = Stopwatch.StartNew();
         byte[] bytes = new byte[2048];
         var reader = new MavlinkFrameReader(MavlinkDialect.All);
-        while (clock.Elapsed < TestTimeout)
+        while (clock.Elapsed < TestTimeout.Limit)
         {
             LinkRead read = link.Read(bytes);
             var rest = new ReadOnlySpan<byte>(bytes, 0, read.Count);

@@ -5,6 +5,7 @@ using System.IO;
 using System.Linq;
 using System.Runtime.InteropServices;
 using System.Threading;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Uav.Simulation.Tests.Sample;
@@ -14,10 +15,7 @@ internal sealed class SampleProcess : IDisposable
 {
     private const int InterruptSignal = 2;
 
-    private static readonly TimeSpan DefaultTestTimeout = TimeSpan.FromSeconds(60);
-
-    // For conditions that come true without a line of output, such as a file that is there.
-    private static readonly TimeSpan PollPeriod = TimeSpan.FromMilliseconds(100);
+    private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(60);   // on an idle machine
 
     private static readonly string Folder = Path.GetDirectoryName(typeof(SampleProcess).Assembly.Location)!;
     private static readonly bool IsMono = Type.GetType("Mono.Runtime") is not null;
@@ -63,14 +61,12 @@ internal sealed class SampleProcess : IDisposable
     /// <summary>Waits until something is so; fails the test if the process ends before, or takes too long.</summary>
     public void WaitUntil(Func<bool> condition)
     {
-        var waited = Stopwatch.StartNew();
+        // In turns: some conditions come true without a line of output, such as a file that is there.
+        var timeout = new TestTimeout(MaxWait);
         lock (_lines)
         {
             while (!condition())
-            {
-                Assert.True(waited.Elapsed < DefaultTestTimeout && !HasEnded, Output);
-                Monitor.Wait(_lines, PollPeriod);
-            }
+                Assert.True(!HasEnded && timeout.TryWait(_lines), Output);
         }
     }
 
@@ -80,7 +76,8 @@ internal sealed class SampleProcess : IDisposable
     public int WaitForEnd(TimeSpan? timeout = null)
     {
         Assert.True(
-            _process.WaitForExit((int)(timeout ?? DefaultTestTimeout).TotalMilliseconds), "it does not end: " + Output);
+            _process.WaitForExit((int)(timeout ?? TestTimeout.LimitOf(MaxWait)).TotalMilliseconds),
+            "it does not end: " + Output);
         _process.WaitForExit();
         return _process.ExitCode;
     }

@@ -3,6 +3,7 @@ using System.Diagnostics;
 using System.Threading;
 using Rabit.Core;
 using Rabit.Links;
+using Rabit.Tests.Shared;
 using Rabit.Uav.Communications;
 using Rabit.Uav.Messages;
 using Xunit;
@@ -39,7 +40,7 @@ public sealed class StalledLinkTests
             int received = 0;
             while (received < frame.Length)
             {
-                Assert.InRange(watch.Elapsed, TimeSpan.Zero, TimeSpan.FromSeconds(20));
+                Assert.InRange(watch.Elapsed, TimeSpan.Zero, TestTimeout.Limit);
                 received += to.B.Read(buffer).Count;
             }
 

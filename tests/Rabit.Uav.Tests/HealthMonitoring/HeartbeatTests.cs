@@ -3,6 +3,7 @@ using System.Linq;
 using Rabit.Core;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
+using Rabit.Tests.Shared;
 using Rabit.Uav.HealthMonitoring;
 using Rabit.Uav.Messages;
 using Xunit;
@@ -170,7 +171,7 @@ public class HeartbeatTests
         var hanging = new WorkingManager("hanging", work: _ =>
         {
             if (System.Threading.Volatile.Read(ref hangs))
-                release.Wait(TimeSpan.FromSeconds(30));
+                release.Wait(TestTimeout.Limit + TestTimeout.Limit);
         });
         var sink = new OutgoingSink();
         var watcher = new ReportWatcher(report =>
@@ -194,14 +195,14 @@ public class HeartbeatTests
         address.Value = new OwnAddress { SystemId = 1, ComponentId = 191 };
         address.Post();
 
-        // Generous limits: the machine may be busy. The two seconds are shown in virtual time.
-        Assert.True(sent.Wait(TimeSpan.FromSeconds(20)), "no heartbeat");
+        // The machine may be busy; the two seconds are shown in virtual time.
+        Assert.True(sent.Wait(TestTimeout.Limit), "no heartbeat");
         System.Threading.Volatile.Write(ref hangs, true);
-        Assert.True(silent.Wait(TimeSpan.FromSeconds(20)), "still a heartbeat");
+        Assert.True(silent.Wait(TestTimeout.Limit), "still a heartbeat");
         System.Threading.Volatile.Write(ref hangs, false);
         sent.Reset();
         release.Set();
-        Assert.True(sent.Wait(TimeSpan.FromSeconds(20)), "no heartbeat again");
+        Assert.True(sent.Wait(TestTimeout.Limit), "no heartbeat again");
 
         reactor.Stop();
         Assert.Equal(0, reactor.Finish().ExitCode);

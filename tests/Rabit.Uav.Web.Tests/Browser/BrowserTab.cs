@@ -4,14 +4,14 @@ using System.Diagnostics;
 using System.Globalization;
 using System.Text.Json;
 using System.Threading.Tasks;
+using Rabit.Tests.Shared;
 
 namespace Rabit.Uav.Web.Tests.Browser;
 
 /// <summary>A tab: what a person does with it, and what its console says.</summary>
 internal sealed class BrowserTab
 {
-    private static readonly TimeSpan Timeout = TimeSpan.FromSeconds(90);
-    private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(50);
+    private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(90);   // on an idle machine
 
     private readonly Chromium _browser;
     private readonly string _session;
@@ -106,12 +106,12 @@ internal sealed class BrowserTab
     public async Task<TimeSpan> WaitAsync(string expression)
     {
         var clock = Stopwatch.StartNew();
+        var timeout = new TestTimeout(MaxWait);
         while (await EvaluateAsync($"!!({expression})") != "true")
         {
-            if (clock.Elapsed > Timeout)
+            if (!await timeout.TryWaitAsync())
                 throw new TimeoutException(
-                    $"After {Timeout.TotalSeconds} s it is not true: {expression}; console: {string.Join("; ", Errors)}");
-            await Task.Delay(Look);
+                    $"It never comes true: {expression}; console: {string.Join("; ", Errors)}");
         }
 
         return clock.Elapsed;

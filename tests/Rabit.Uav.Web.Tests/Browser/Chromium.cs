@@ -7,6 +7,7 @@ using System.Text;
 using System.Text.Json;
 using System.Threading;
 using System.Threading.Tasks;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Uav.Web.Tests.Browser;
@@ -14,7 +15,7 @@ namespace Rabit.Uav.Web.Tests.Browser;
 /// <summary>A headless Chromium, spoken to by the DevTools protocol. One for all tests of a class.</summary>
 public sealed class Chromium : IAsyncLifetime
 {
-    private static readonly TimeSpan Timeout = TimeSpan.FromSeconds(60);
+    private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(60);   // on an idle machine
 
     private readonly string _folder = Path.Combine(Path.GetTempPath(), "rabit-web-" + Guid.NewGuid().ToString("N"));
     private readonly ClientWebSocket _socket = new();
@@ -45,7 +46,7 @@ public sealed class Chromium : IAsyncLifetime
         })!;
         _process.OutputDataReceived += (_, _) => { };
         _process.BeginOutputReadLine();
-        Uri address = await ReadAddressAsync(_process.StandardError).WaitAsync(Timeout);
+        Uri address = await ReadAddressAsync(_process.StandardError).WaitAsync(TestTimeout.LimitOf(MaxWait));
         await _socket.ConnectAsync(address, CancellationToken.None);
         _receiving = ReceiveAsync();
     }
@@ -105,7 +106,7 @@ public sealed class Chromium : IAsyncLifetime
             _sending.Release();
         }
 
-        return await answer.Task.WaitAsync(Timeout);
+        return await answer.Task.WaitAsync(TestTimeout.LimitOf(MaxWait));
     }
 
     private static async Task<Uri> ReadAddressAsync(StreamReader errors)

@@ -8,6 +8,7 @@ using System.Net.WebSockets;
 using System.Text;
 using System.Threading;
 using System.Threading.Tasks;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Uav.Web.Tests.Serving;
@@ -134,7 +135,7 @@ public sealed class HostileTests
     {
         var text = new StringBuilder();
         var buffer = new byte[4096];
-        using var late = new CancellationTokenSource(TimeSpan.FromSeconds(60));
+        using var late = new CancellationTokenSource(TestTimeout.Limit);
         try
         {
             while (await client.GetStream().ReadAsync(buffer, late.Token) is > 0 and int read)
@@ -150,7 +151,7 @@ public sealed class HostileTests
 
     private static async Task ReceiveAsync(ClientWebSocket socket)
     {
-        using var late = new CancellationTokenSource(TimeSpan.FromSeconds(30));
+        using var late = new CancellationTokenSource(TestTimeout.Limit);
         await socket.ReceiveAsync(new byte[4000].AsMemory(), late.Token);
     }
 }

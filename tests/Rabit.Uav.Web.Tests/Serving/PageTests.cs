@@ -7,6 +7,7 @@ using System.Net.WebSockets;
 using System.Text.Json;
 using System.Threading;
 using System.Threading.Tasks;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Uav.Web.Tests.Serving;
@@ -148,7 +149,7 @@ public sealed class PageTests
     private static async Task<JsonElement> ReceiveAsync(ClientWebSocket socket)
     {
         var buffer = new byte[4000];
-        using var late = new CancellationTokenSource(TimeSpan.FromSeconds(30));
+        using var late = new CancellationTokenSource(TestTimeout.Limit);
         ValueWebSocketReceiveResult received = await socket.ReceiveAsync(buffer.AsMemory(), late.Token);
         Assert.True(received.EndOfMessage);
         return JsonDocument.Parse(buffer.AsMemory(0, received.Count)).RootElement;

@@ -7,6 +7,7 @@ using System.Text;
 using System.Text.Json;
 using System.Threading;
 using System.Threading.Tasks;
+using Rabit.Tests.Shared;
 using Rabit.Uav.Web.Serving;
 using Rabit.Uav.Web.State;
 using Xunit;
@@ -79,7 +80,7 @@ public sealed class SlowBrowserTests
         public async Task<int> ReceiveAsync()
         {
             var buffer = new byte[4000];
-            using var late = new CancellationTokenSource(TimeSpan.FromSeconds(30));
+            using var late = new CancellationTokenSource(TestTimeout.Limit);
             ValueWebSocketReceiveResult received = await _client.ReceiveAsync(buffer.AsMemory(), late.Token);
             using JsonDocument message = JsonDocument.Parse(buffer.AsMemory(0, received.Count));
             return message.RootElement.GetProperty("set").GetProperty("value").GetInt32();
@@ -88,7 +89,7 @@ public sealed class SlowBrowserTests
         public async Task<bool> LeaveAsync()
         {
             await _client.CloseOutputAsync(WebSocketCloseStatus.NormalClosure, null, CancellationToken.None);
-            return await Ended.WaitAsync(TimeSpan.FromSeconds(30));
+            return await Ended.WaitAsync(TestTimeout.Limit);
         }
 
         public void Dispose()

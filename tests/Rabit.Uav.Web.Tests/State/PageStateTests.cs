@@ -5,6 +5,7 @@ using System.Linq;
 using System.Text;
 using System.Text.Json;
 using System.Threading.Tasks;
+using Rabit.Tests.Shared;
 using Rabit.Uav.Web.State;
 using Xunit;
 using Xunit.Abstractions;
@@ -96,7 +97,7 @@ public sealed class PageStateTests(ITestOutputHelper output)
         Set("a", "1");
         Assert.False(news.IsCompleted);
         _state.Signal();
-        await news.WaitAsync(TimeSpan.FromSeconds(10));
+        await news.WaitAsync(TestTimeout.Limit);
         Assert.False(_state.News.IsCompleted);
     }
 

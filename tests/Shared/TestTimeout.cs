@@ -3,8 +3,9 @@ using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using System.Threading;
+using System.Threading.Tasks;
 
-namespace Rabit.Core.Tests.Contracts;
+namespace Rabit.Tests.Shared;
 
 /// <summary>
 /// How long a test waits for what must come; only one that fails waits to the end. On a machine that is busy with other
@@ -12,8 +13,6 @@ namespace Rabit.Core.Tests.Contracts;
 /// </summary>
 internal sealed class TestTimeout
 {
-    private const int MaxTurns = 1000;
-
     // What a process gets where so many want to run: beyond that nothing is waited for.
     private const double MaxShares = 50;
 
@@ -26,10 +25,23 @@ internal sealed class TestTimeout
     private static Reading _latest = new(default, ReadShares());   // replaced whole
 
     private readonly ManualResetEventSlim _never = new();
+    private readonly long _maxTurns;
     private int _turns;
 
+    public TestTimeout()
+        : this(OnAnIdleMachine)
+    {
+    }
+
+    /// <param name="onAnIdleMachine">How long, for what takes longer than usual.</param>
+    public TestTimeout(TimeSpan onAnIdleMachine) => _maxTurns = onAnIdleMachine.Ticks / Turn.Ticks;
+
     /// <summary>For a wait in one piece.</summary>
-    public static TimeSpan Limit => TimeSpan.FromTicks((long)(OnAnIdleMachine.Ticks * Shares()));
+    public static TimeSpan Limit => LimitOf(OnAnIdleMachine);
+
+    /// <summary>As <see cref="Limit"/>, for what takes longer than usual.</summary>
+    public static TimeSpan LimitOf(TimeSpan onAnIdleMachine)
+        => TimeSpan.FromTicks((long)(onAnIdleMachine.Ticks * Shares()));
 
     /// <summary>Waits a turn under a lock, or less, where a pulse ends it, which costs no turn.</summary>
     /// <returns>False when the time is over.</returns>
@@ -43,7 +55,14 @@ internal sealed class TestTimeout
         return TakeTurn();
     }
 
-    private bool TakeTurn() => ++_turns < MaxTurns * Shares();
+    /// <inheritdoc cref="TryWait()"/>
+    public async Task<bool> TryWaitAsync()
+    {
+        await Task.Delay(Turn);
+        return TakeTurn();
+    }
+
+    private bool TakeTurn() => ++_turns < _maxTurns * Shares();
 
     private static double Shares()
     {
