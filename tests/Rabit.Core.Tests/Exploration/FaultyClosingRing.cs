@@ -67,15 +67,66 @@ internal sealed class FaultyClosingRing(SeededCloseFault fault, int capacity)
         return true;
     }
 
-    public override int PushFrom(ReadOnlySpan<int> values) => throw new NotSupportedException();
+    public override int PushFrom(ReadOnlySpan<int> values)
+    {
+        int position = Sync.Read(ref _tail);
+        int count = IsClosed() ? 0 : Math.Min(values.Length, Capacity - (position - Sync.VolatileRead(ref _head)));
+        if (count == 0)
+            return 0;
+        int tail = position + count;
+        if (fault == SeededCloseFault.SequenceBeforeTheTail)
+            PutAll(values.Slice(0, count), position, movesTheTail: false);
+        if (fault != SeededCloseFault.BatchMovesTheTailOneByOne)
+            Sync.VolatileWrite(ref _tail, tail);
+        if (fault != SeededCloseFault.SequenceBeforeTheTail)
+            PutAll(
+                values.Slice(0, count), position,
+                movesTheTail: fault == SeededCloseFault.BatchMovesTheTailOneByOne);
+        if (fault == SeededCloseFault.NoLookOfThePush || !IsClosed())
+            return count;
+        return Settle(tail) >= tail || fault == SeededCloseFault.AlwaysInTime ? count : 0;
+    }
 
-    public override int PopInto(Span<int> target) => throw new NotSupportedException();
+    public override int PopInto(Span<int> target)
+    {
+        int head = Sync.Read(ref _head);
+        bool wasClosed = fault == SeededCloseFault.BatchLooksForTheCloseFirst && IsClosed();
+        int count = 0;
+        while (count < target.Length && IsThere(head + count))
+            count++;
+        if (count > 0 && (fault == SeededCloseFault.BatchLooksForTheCloseFirst ? wasClosed : GoesByTheLastTail()))
+        {
+            int last = LastTail();
+            if (fault != SeededCloseFault.BatchByItsFirstValue || head >= last)
+                count = Math.Max(0, Math.Min(count, last - head));
+        }
+
+        for (int i = 0; i < count; i++)
+            target[i] = Sync.Read(ref _values[(head + i) % _values.Length]);
+        if (count > 0)
+            Sync.VolatileWrite(ref _head, head + count);
+        return count;
+    }
 
     public override void Close()
     {
         Sync.Exchange(ref _isClosed, 1);
         LastTail();
     }
+
+    private void PutAll(ReadOnlySpan<int> values, int position, bool movesTheTail)
+    {
+        for (int i = 0; i < values.Length; i++)
+        {
+            if (movesTheTail)
+                Sync.VolatileWrite(ref _tail, position + i + 1);
+            Sync.Write(ref _values[(position + i) % _values.Length], values[i]);
+            Show(position + i);
+        }
+    }
+
+    private bool IsThere(int position)
+        => Sync.VolatileRead(ref _sequences[position % _values.Length]) == position + 1;
 
     private void Show(int position) => Sync.VolatileWrite(ref _sequences[position % _values.Length], position + 1);
 

@@ -31,4 +31,13 @@ public enum SeededCloseFault
 
     /// <summary>The receiver looks whether the tail is settled, instead of whether the queue is closed.</summary>
     ReceiverLooksForTheSettledTail,
+
+    /// <summary>The tail is moved for each value of a batch, and looked at for all of them.</summary>
+    BatchMovesTheTailOneByOne,
+
+    /// <summary>A batch that is taken out of a closed queue goes by its first value.</summary>
+    BatchByItsFirstValue,
+
+    /// <summary>A batch is taken out by a look at the close that comes before the one at the values.</summary>
+    BatchLooksForTheCloseFirst,
 }
