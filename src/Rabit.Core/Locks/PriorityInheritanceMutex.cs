@@ -18,7 +18,8 @@ namespace Rabit.Core.Locks;
 /// the kernel's id of the holding thread, with a bit that the kernel sets while others wait. A free word is taken, and
 /// one without waiters is given back, by a compare-and-swap. All else is left to the kernel, which closes the race
 /// between the two: it sets the waiters' bit before the waiter sleeps, so that the holder's compare-and-swap fails and
-/// the holder asks the kernel to hand the lock over to the first of those who wait.
+/// the holder asks the kernel to hand the lock over to the first of those who wait. What the kernel may answer, and a
+/// holder that ended: <see cref="InheritanceEntry{TCalls}"/>.
 /// </para>
 /// <para>
 /// It never spins: who waits may have displaced the very holder from its processor. So where many threads meet in it
@@ -29,8 +30,6 @@ namespace Rabit.Core.Locks;
     Justification = "It lives as long as what it guards; the word is freed by its finalizer.")]
 internal sealed unsafe class PriorityInheritanceMutex
 {
-    private const int ThreadIdBits = 0x3FFFFFFF;    // FUTEX_TID_MASK
-
     // 0: free; else the holder, and the kernel's bits. Written by threads that enter and leave, and by the kernel.
     private readonly NativeWord _word = new();
     private int _entriesAgain;   // written by the holder
@@ -66,47 +65,19 @@ internal sealed unsafe class PriorityInheritanceMutex
         GC.KeepAlive(_word);
     }
 
+    /// <summary>What the kernel does not do.</summary>
+    public static InvalidOperationException Failure(string verb, int error)
+        => new($"A lock cannot be {verb}: futex gives {SystemErrors.Name(error)}.");
+
     private void EnterHeld(int thread)
     {
-        if ((Volatile.Read(ref *_word.Address) & ThreadIdBits) == thread)
+        if ((Volatile.Read(ref *_word.Address) & InheritanceEntry<InheritanceCalls>.ThreadIdBits) == thread)
         {
             _entriesAgain++;
             return;
         }
 
-        EnterByKernel(thread);
+        InheritanceEntry<InheritanceCalls>.Enter(_word.Address, thread);
+        GC.KeepAlive(_word);
     }
-
-    private void EnterByKernel(int thread)
-    {
-        while (true)
-        {
-            int error = InheritanceFutex.Lock(_word.Address);
-            switch (error)
-            {
-                case 0:   // also where a holder that ended has left a bit, which goes when the kernel hands it on
-                case SystemErrors.NoSuchProcess when TryReplaceEnded(thread):
-                    return;
-                case SystemErrors.NoSuchProcess:
-                case SystemErrors.Interrupted:
-                case SystemErrors.TryAgain:      // the holder is just ending
-                case SystemErrors.OutOfMemory:   // the kernel's, for the list of who waits
-                    break;
-                default:
-                    throw Failure("entered", error);
-            }
-        }
-    }
-
-    // The holder ended and no one waited: the kernel knows no such thread.
-    private bool TryReplaceEnded(int thread)
-    {
-        int word = Volatile.Read(ref *_word.Address);
-        if (word != 0 && InheritanceFutex.IsAlive(word & ThreadIdBits))
-            return false;
-        return Interlocked.CompareExchange(ref *_word.Address, thread, word) == word;
-    }
-
-    private static InvalidOperationException Failure(string verb, int error)
-        => new($"A lock cannot be {verb}: futex gives {SystemErrors.Name(error)}.");
 }

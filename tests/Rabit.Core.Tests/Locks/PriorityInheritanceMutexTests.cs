@@ -1,6 +1,4 @@
 using System;
-using System.Globalization;
-using System.IO;
 using System.Linq;
 using System.Threading;
 using Rabit.Core.Locks;
@@ -120,16 +118,84 @@ public sealed class PriorityInheritanceMutexTests(ITestOutputHelper output)
         Assert.True(isIn);
     }
 
+    /// <summary>
+    /// A signal takes the waiter out of its sleep in the kernel, each time; it is not let in, and is served at last.
+    /// </summary>
+    [LinuxFact, Trait("Clause", "1.8")]
+    public void Enter_UnixSignalsToTheWaiter_WaitsOn()
+    {
+        UnixSignal.Install();
+        bool isIn = false;
+        _mutex.Enter();
+        Thread other = StartWaiting(
+            () =>
+            {
+                Volatile.Write(ref isIn, true);
+                _mutex.Exit();
+            },
+            first: null, out KernelThread waiter);
+
+        for (int i = 0; i < 20; i++)
+        {
+            long before = waiter.Sleeps;
+            UnixSignal.SendTo(waiter.Id);
+            AwaitSleep(waiter, from: before);
+            Assert.False(Volatile.Read(ref isIn));
+        }
+
+        _mutex.Exit();
+        Join(other);
+        Assert.True(isIn);
+        _mutex.Enter();
+        _mutex.Exit();
+    }
+
+    /// <summary>The holder ends while a waiter is between two sleeps.</summary>
+    [LinuxFact, Trait("Clause", "1.8")]
+    public void Enter_HolderEndsWhileTheWaiterIsSignalled_HandsItOn()
+    {
+        UnixSignal.Install();
+        for (int round = 0; round < 20; round++)
+        {
+            using var ends = new ManualResetEventSlim();
+            using var holds = new ManualResetEventSlim();
+            Thread holder = Start(() =>
+            {
+                _mutex.Enter();
+                holds.Set();
+                ends.Wait();
+            });
+            holds.Wait();
+            Thread waiting = StartWaiting(
+                () =>
+                {
+                    ends.Wait();
+                    _mutex.Exit();
+                },
+                first: null, out KernelThread waiter);
+
+            for (int i = 0; i < round; i++)
+                UnixSignal.SendTo(waiter.Id);
+            ends.Set();
+
+            Join(holder);
+            Join(waiting);
+        }
+
+        _mutex.Enter();
+        _mutex.Exit();
+    }
+
     [LinuxFact, Trait("Clause", "1.8")]
     public void Enter_ByAThreadOfHigherPriority_LendsItToTheHolder()
     {
         const int Priority = 7;
         _mutex.Enter();
-        int before = PriorityOf(InheritanceFutex.ThreadId);
+        int before = new KernelThread(InheritanceFutex.ThreadId).Priority;
         int error = 0;
         Thread other = StartWaiting(_mutex.Exit, first: () =>
             error = new LinuxThreadControl().SetPriority(RealTimePolicy.Fifo, Priority));
-        int meanwhile = PriorityOf(InheritanceFutex.ThreadId);
+        int meanwhile = new KernelThread(InheritanceFutex.ThreadId).Priority;
         _mutex.Exit();
         Join(other);
 
@@ -139,22 +205,14 @@ public sealed class PriorityInheritanceMutexTests(ITestOutputHelper output)
             return;
         }
 
-        // man 5 proc_pid_stat: "For processes running a real-time scheduling policy, this is the negated scheduling
-        // priority, minus one".
         Assert.Equal(-1 - Priority, meanwhile);
-        Assert.Equal(before, PriorityOf(InheritanceFutex.ThreadId));
-    }
-
-    private static int PriorityOf(int thread)
-    {
-        string text = File.ReadAllText(FormattableString.Invariant($"/proc/self/task/{thread}/stat"));
-        const int FieldAfterName = 15;   // the 18th; the second, a name in brackets, may have spaces
-        string[] fields = text.Substring(text.LastIndexOf(')') + 2).Split(' ');
-        return int.Parse(fields[FieldAfterName], CultureInfo.InvariantCulture);
+        Assert.Equal(before, new KernelThread(InheritanceFutex.ThreadId).Priority);
     }
 
     // Starts a thread that enters, and returns when it waits for the lock in the kernel.
-    private Thread StartWaiting(Action inside, Action? first = null)
+    private Thread StartWaiting(Action inside, Action? first = null) => StartWaiting(inside, first, out _);
+
+    private Thread StartWaiting(Action inside, Action? first, out KernelThread waiter)
     {
         int id = 0;
         Thread thread = Start(() =>
@@ -164,18 +222,24 @@ public sealed class PriorityInheritanceMutexTests(ITestOutputHelper output)
             _mutex.Enter();
             inside();
         });
-        var timeout = new TestTimeout();
-        while (Volatile.Read(ref id) == 0 || !Sleeps(Volatile.Read(ref id)))
-            Assert.True(timeout.TryWait(), "the thread does not wait for the lock");
+        Await(() => Volatile.Read(ref id) != 0, "the thread does not run");
+        var started = waiter = new KernelThread(Volatile.Read(ref id));
+        AwaitSleep(started);
         return thread;
     }
 
     // Between its last line and the lock a thread runs; it sleeps nowhere else, but may be stopped for a collection.
-    private static bool Sleeps(int thread)
+    private static void AwaitSleep(KernelThread thread, long from = 0)
     {
-        string text = File.ReadAllText(FormattableString.Invariant($"/proc/self/task/{thread}/syscall"));
-        const string FutexLock = "0x86";   // FUTEX_LOCK_PI | FUTEX_PRIVATE_FLAG, the second argument
-        return text.Split(' ') is { Length: > 2 } words && words[2] == FutexLock;
+        const int FutexLock = 6 | 128;   // FUTEX_LOCK_PI | FUTEX_PRIVATE_FLAG
+        Await(() => thread.Sleeps > from && thread.IsInFutex(FutexLock), "the thread does not wait for the lock");
+    }
+
+    private static void Await(Func<bool> condition, string otherwise)
+    {
+        var timeout = new TestTimeout();
+        while (!condition())
+            Assert.True(timeout.TryWait(), otherwise);
     }
 
     private static Thread Start(Action work)
