@@ -34,6 +34,13 @@ namespace Rabit.Core.Messages;
 /// way around spoil it.</item>
 /// </list>
 /// <para>
+/// What is tried again, and how often: an optimistic read as often as it has tries; a look for the latest slot, by a
+/// poster or to pin it, only where the word has changed since, that is once for each post that has come in between; a
+/// count of a slot's fetchers only where another fetcher has counted. So posts and fetches are lock-free: of those that
+/// hinder each other one always gets on. They are not wait-free: no number bounds the posts of the others, and with it
+/// the looks; each look is a few instructions, however large the value, and the value is copied once.
+/// </para>
+/// <para>
 /// A poster that is alone needs no compare-and-swap, and no fence as long as all fetchers read optimistically. One that
 /// has to pin demands fences: from the fence that it makes for all threads on, the poster sees the demand, and
 /// publishes as several do. The post that was under way then may be the last without a fence; the slot that it replaced
@@ -153,8 +160,8 @@ internal sealed class SlotPool<TSlot, TSync>
     }
 
     /// <summary>
-    /// The latest slot, which no poster writes before <see cref="Unpin"/>. Tried again only where a post has come in
-    /// between.
+    /// The latest slot, which no poster writes before <see cref="Unpin"/>. Looked for again only where a post has come
+    /// in between: no more often than the version has grown since the first look.
     /// </summary>
     public TSlot Pin(ref long latest, out int version)
     {

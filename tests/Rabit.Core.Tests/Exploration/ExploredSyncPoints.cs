@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
 using System.Runtime.CompilerServices;
 using System.Threading;
 using Rabit.Core.Time;
@@ -80,6 +82,10 @@ internal readonly unsafe struct ExploredSyncPoints : ISyncPoints
     /// <param name="mayNeverCome">Whether what is done next may as well never be done: no code may count on it.</param>
     public static void NoteNext(object about, Action<ExploredState> note, bool mayNeverCome = false)
         => Perform(new SyncOperation(SyncKind.NoteOfNext) { About = about, Note = note, MayNeverCome = mayNeverCome });
+
+    /// <summary>What the piece of code that runs has read of a location so far, the first read first.</summary>
+    public static IReadOnlyList<long> ReadsOf(ref long location)
+        => [.. Mine.ReadsOf(Mine.LocationOf(ref location)).Select(Whole)];
 
     /// <summary>
     /// The oldest value that a plain read might be shown, now or ever after: views only grow. Where a check bears the

@@ -15,6 +15,8 @@ internal sealed class FaultySlots(SlotScenario scenario, SeededSlotFault fault) 
     private long _latest;
     private int _demanded;
 
+    public override ref long Latest => ref _latest;
+
     public override int Store(int value, SpareSlots spares)
     {
         bool isPlain = scenario is { IsAlone: true, Tries: > 0 }
@@ -113,9 +115,11 @@ internal sealed class FaultySlots(SlotScenario scenario, SeededSlotFault fault) 
             long word = Sync.VolatileRead(ref _latest);
             TwoWords slot = _slots[LatestSlot.IndexOf(word)];
             bool isLatest = fault == SeededSlotFault.RecheckBeforeThePin && Sync.VolatileRead(ref _latest) == word;
-            Add(ref slot.Pins, 1);
+            bool isFirst = Add(ref slot.Pins, 1) == 1;
             if (fault != SeededSlotFault.RecheckBeforeThePin)
                 isLatest = fault == SeededSlotFault.PinWithoutARecheck || Sync.VolatileRead(ref _latest) == word;
+            if (fault == SeededSlotFault.PinsAlone)
+                isLatest &= isFirst;
             if (isLatest && fault != SeededSlotFault.UnpinBeforeTheCopy)
                 copier.CopyFrom(slot);
             Add(ref slot.Pins, -1);
@@ -127,11 +131,12 @@ internal sealed class FaultySlots(SlotScenario scenario, SeededSlotFault fault) 
         }
     }
 
-    private static void Add(ref int location, int change)
+    private static int Add(ref int location, int change)
     {
         int found;
         do
             found = Sync.VolatileRead(ref location);
         while (Sync.CompareExchange(ref location, found + change, found) != found);
+        return found + change;
     }
 }

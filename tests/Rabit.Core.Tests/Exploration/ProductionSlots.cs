@@ -15,6 +15,8 @@ internal sealed class ProductionSlots : SlotsUnderTest
         _pool.NewSpares(scenario.Slots - 1, isOutside: false);
     }
 
+    public override ref long Latest => ref _latest;
+
     public override int Store(int value, SpareSlots spares)
         => _pool.Store(new TwoWordsCopier(value), spares, ref _latest);
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Threading;
 
 namespace Rabit.Core.Tests.Exploration;
@@ -80,6 +81,12 @@ internal sealed class Recorder
                     + "synchronisation point.");
         return result;
     }
+
+    /// <summary>The results of the volatile reads of a location up to where the code is.</summary>
+    public IEnumerable<int> ReadsOf(int location)
+        => _script.Take(_position)
+            .Where(s => s.Operation.Kind == SyncKind.VolatileRead && s.Operation.Location == location)
+            .Select(s => s.Result);
 
     public int InitialValue(int location) => location < _initialValues.Count ? _initialValues[location] : 0;
 

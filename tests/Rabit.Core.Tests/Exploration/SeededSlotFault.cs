@@ -38,4 +38,7 @@ public enum SeededSlotFault
 
     /// <summary>A fetcher that demands fences makes none for all threads.</summary>
     DemandWithoutAFence,
+
+    /// <summary>A fetcher that finds another one at its slot lets go and pins again.</summary>
+    PinsAlone,
 }

@@ -25,6 +25,7 @@ public sealed class SlotExplorationTests(ITestOutputHelper output)
         { "Weak", "1 1", 1, 1, 1 },
         { "Weak", "2 1", 1, 1, 0 },
         { "StoreBuffers", "2 1", 1, 2, 0 },
+        { "StoreBuffers", "1", 2, 1, 0 },
     };
 
     /// <summary>As <see cref="Small"/>.</summary>
@@ -90,6 +91,25 @@ public sealed class SlotExplorationTests(ITestOutputHelper output)
         output.WriteLine(wrong.ToString());
         Assert.True(right.Fault is null, right.ToString());
         Assert.Equal(SlotModel.TriesOn, wrong.Fault);
+    }
+
+    /// <summary>
+    /// How often a fetch that pins looks for the latest slot is bounded by the posts that come in between, which all
+    /// explorations here check. So one is found that waits for another fetcher to let go.
+    /// </summary>
+    [Fact, Trait("Clause", "2.4")]
+    public void Exploration_OfATwinWhoseFetchersPinAlone_FindsTheFetchThatLooksOn()
+    {
+        var scenario = new SlotScenario([1], 2, 1, 0);
+
+        ExplorationResult right = Explore(
+            MemoryModel.StoreBuffers, scenario, new FaultySlots(scenario, SeededSlotFault.None));
+        ExplorationResult wrong = Explore(
+            MemoryModel.StoreBuffers, scenario, new FaultySlots(scenario, SeededSlotFault.PinsAlone));
+
+        output.WriteLine(wrong.ToString());
+        Assert.True(right.Fault is null, right.ToString());
+        Assert.Equal(SlotModel.LooksOn, wrong.Fault);
     }
 
     /// <summary>The twin is right but for its fault.</summary>

@@ -14,6 +14,9 @@ internal sealed class SlotModel : ExploredModel
     /// <summary>What is found of a fetch that tries on although it has had its tries.</summary>
     public const string TriesOn = "a fetch goes on copying what posts spoil";
 
+    /// <summary>What is found of a fetch that looks for the latest slot again without a post in between.</summary>
+    public const string LooksOn = "a fetch looks for the latest slot again without a post";
+
     private readonly SlotsUnderTest _slots;
     private readonly SlotScenario _scenario;
     private readonly List<ExploredThread> _threads = [];
@@ -84,15 +87,27 @@ internal sealed class SlotModel : ExploredModel
             (int done, int seen) = (At)from;
             int version = model._slots.Load(out TwoWordsCopier fetched);
             (int first, int second, int copies) = (fetched.First, fetched.Second, fetched.Copies);
-            ExploredSyncPoints.Note((version, first, second, copies, seen), state =>
+            int unused = PostsWithoutALook(version);
+            ExploredSyncPoints.Note((version, first, second, copies, seen, unused), state =>
             {
                 state.Require(copies <= model._scenario.Tries + 1, TriesOn);
+                state.Require(unused >= 0, LooksOn);
                 state.Require(version >= seen, "a fetch went back");
                 state.Require(first == second, $"torn: {first} and {second}");
                 state.Require(
                     first == state.Note(version), $"version {version} is post {state.Note(version)}, not {first}");
             });
             return done + 1 < model._scenario.Fetches ? new At(done + 1, version) : null;
+        }
+
+        // After its tries it looks twice for each time that it pins: before, and whether a post has come since. Each
+        // post raises the version by one.
+        private int PostsWithoutALook(int version)
+        {
+            IReadOnlyList<long> looks = ExploredSyncPoints.ReadsOf(ref model._slots.Latest);
+            int tries = model._scenario.Tries;
+            int again = ((looks.Count - tries) / 2) - 1;
+            return again > 0 ? version - LatestSlot.VersionOf(looks[tries]) - again : 0;
         }
 
         private sealed record At(int Done, int Seen);

@@ -11,4 +11,7 @@ internal abstract class SlotsUnderTest
     /// <param name="fetched">The value, and how often one was copied until it was whole.</param>
     /// <returns>The version.</returns>
     public abstract int Load(out TwoWordsCopier fetched);
+
+    /// <summary>The word that names the latest slot.</summary>
+    public abstract ref long Latest { get; }
 }

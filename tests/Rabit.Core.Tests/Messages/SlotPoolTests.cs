@@ -71,6 +71,44 @@ public sealed class SlotPoolTests
         message.AssertLatest(message.Posted);
     }
 
+    /// <summary>
+    /// Lock-free: a pin looks for the latest slot once more for each post that comes between its look and its check,
+    /// and for nothing else.
+    /// </summary>
+    [Theory, Trait("Clause", "2.4")]
+    [InlineData(0)]
+    [InlineData(1)]
+    [InlineData(50)]
+    public void Pin_PostsInFrontOfEachCheck_LooksOnceMoreForEach(int posts)
+    {
+        const int UpToTheCheck = 4;              // the look, the pin (a read and a swap), the check
+        const int Again = 2 + UpToTheCheck;      // letting go comes first
+        var message = new Message<HeldUpPoints>(isAlone: false, tries: 0);
+        message.Post(1);
+        int left = posts;
+        bool looksOn = false;
+        void Meanwhile()
+        {
+            if (left-- == 0)
+            {
+                looksOn = true;
+                return;
+            }
+
+            message.Post(message.Posted + 1);
+            HeldUpPoints.HoldUpAt(left > 0 ? Again : Again + 1, Meanwhile);
+        }
+
+        HeldUpPoints.HoldUpAt(posts > 0 ? UpToTheCheck : UpToTheCheck + 1, Meanwhile);
+        NumberSlot slot = message.Pin();
+        HeldUpPoints.HoldUpAt(0, () => { });
+
+        Assert.False(looksOn, "The fetch looks again without a post.");
+        Assert.Equal(0, left);
+        Assert.Equal(1 + posts, slot.Number);
+        Assert.Equal(1 + posts, message.Posted);
+    }
+
     [Theory, Trait("Clause", "2.3")]
     [InlineData(0)]
     [InlineData(4)]
