@@ -76,6 +76,51 @@ public abstract class PeriodContract(TimeKind kind) : ContractTests(kind)
 
 public sealed class PeriodContractInRealTime() : PeriodContract(TimeKind.Real)
 {
+    /// <summary>
+    /// However late the machine is: the deadline of each unit of work is when it began less how late it was, which the
+    /// status keeps to the tick, and all deadlines are whole periods apart. A grid that began anew with a wake, or with
+    /// each unit of work, would be off by when that came.
+    /// </summary>
+    [Fact, Trait("Clause", "1.3")]
+    public void Period_WokenInBetweenOnRealThreads_HasAllDeadlinesOnOneGrid()
+    {
+        const int Deadlines = 10;
+        using TestRun run = NewRun();
+        ScriptedManager manager = run.Add("m");
+        var period = TimeSpan.FromMilliseconds(20);
+        manager.Period = period;
+        var deadlines = new List<TimeSpan>();   // under the board's gate
+        DurationStatistics error = default;     // the manager's thread alone
+        manager.OnUnit = () =>
+        {
+            // Of the unit of work before.
+            ref readonly ManagerStatus status = ref manager.StatusPublisher.Value;
+            if (status.PeriodError.Count == error.Count)
+                return;
+            TimeSpan late = status.PeriodError.Total - error.Total;
+            error = status.PeriodError;
+            lock (run.Board.Gate)
+                deadlines.Add(status.LastRunAt - late);
+            run.Board.Changed();
+        };
+
+        run.StartAndSettle();
+        for (int i = 1; i <= Deadlines; i++)
+        {
+            int count = i;
+            run.Until(() => deadlines.Count >= count, "the timer wakes");
+            run.OnAndSettle(manager, () => { });
+        }
+
+        run.Finish();
+
+        Assert.True(manager.Causes.Count(c => (c & WakeUpCauses.Timer) == 0) >= Deadlines, "no other wakes came");
+        Assert.All(
+            deadlines.Select(d => d - deadlines[0]),
+            apart => Assert.True(apart.Ticks % period.Ticks == 0, $"{apart} after the first is no deadline"));
+        Assert.Equal(deadlines.Distinct().OrderBy(d => d), deadlines);
+    }
+
     [Fact, Trait("Clause", "1.3")]
     public void Period_WorkLongerThanIt_CountsMissedDeadlinesAndRunsNoBurst()
     {
