@@ -52,16 +52,17 @@ internal static class CompiledExample
         CSharpSyntaxTree.ParseText(DocumentFiles.Read("tests/Documentation.Tests/Surroundings.txt"), Parse),
     ]);
 
-    /// <summary>Errors, and warnings of what may be null.</summary>
+    /// <summary>Errors, warnings of what may be null, and what the analyzers of the package say.</summary>
     public static IReadOnlyList<string> FindFaults(string example)
     {
         SyntaxTree tree = CSharpSyntaxTree.ParseText(Placed(example), Parse, "example");
         var options = new CSharpCompilationOptions(
             OutputKind.DynamicallyLinkedLibrary, nullableContextOptions: NullableContextOptions.Enable);
-        return [.. CSharpCompilation.Create("example", [tree, .. Common.Value], CompiledProgram.References, options)
-            .GetDiagnostics()
+        var compilation = CSharpCompilation.Create(
+            "example", [tree, .. Common.Value], CompiledProgram.References, options);
+        return [.. compilation.GetDiagnostics()
             .Where(d => d.Severity == DiagnosticSeverity.Error || d.Id.StartsWith("CS86", StringComparison.Ordinal))
-            .Select(d => d.ToString())];
+            .Concat(PackageAnalyzers.FindIn(compilation)).Select(d => d.ToString())];
     }
 
     // Statements go into a method of the surroundings; types stand beside it.

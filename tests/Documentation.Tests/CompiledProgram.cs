@@ -10,7 +10,10 @@ using Xunit;
 
 namespace Rabit.Documentation.Tests;
 
-/// <summary>Programs of the documents, compiled as a user's project would: nullable on, warnings are errors.</summary>
+/// <summary>
+/// Programs of the documents, compiled as a user's project would: nullable on, the analyzers of the package on, and no
+/// warnings, nor what an analyzer says beside.
+/// </summary>
 internal static class CompiledProgram
 {
     // Everything beside the tests: the framework, xunit and the packages.
@@ -35,7 +38,8 @@ internal static class CompiledProgram
         var compilation = CSharpCompilation.Create("document-" + blocks[^1].Line, trees, References, options);
 
         string[] faults = [.. compilation.GetDiagnostics()
-            .Where(d => d.Severity >= DiagnosticSeverity.Warning && d.Id != "CS1701").Select(d => d.ToString())];
+            .Where(d => d.Severity >= DiagnosticSeverity.Warning && d.Id != "CS1701")
+            .Concat(PackageAnalyzers.FindIn(compilation)).Select(d => d.ToString())];
         Assert.True(faults.Length == 0, string.Join(Environment.NewLine, faults));
 
         using var stream = new MemoryStream();

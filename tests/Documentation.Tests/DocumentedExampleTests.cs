@@ -46,6 +46,16 @@ public sealed class DocumentedExampleTests
     [InlineData("var world = new SimulatedWorlds();", "SimulatedWorlds")]
     [InlineData("LinkUrl url = 5;", "LinkUrl")]
     [InlineData("string text = null;", "null")]
+    [InlineData(
+        """
+        sealed class Sleepy : RabitManager
+        {
+            public Sleepy() : base("sleepy") => WakeUpDelay = TimeSpan.FromSeconds(2);
+
+            protected override void ExecuteUnitOfWork() => Thread.Sleep(1);
+        }
+        """,
+        "RABIT0002")]
     public void FindFaults_WhatDoesNotCompile_IsNamed(string code, string expected)
         => Assert.Contains(expected, Assert.Single(CompiledExample.FindFaults(code)), StringComparison.Ordinal);
 }

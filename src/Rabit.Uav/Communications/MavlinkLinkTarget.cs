@@ -18,7 +18,7 @@ namespace Rabit.Uav.Communications;
 /// _writer = AttachWriter("radio out", new MavlinkLinkTarget(link), 256, QueueFullMode.DropOldest);
 /// </code>
 /// <code>
-/// _writer.Push(mavlink.Create(message));   // a MavlinkSender, which numbers the frames
+/// _ = _writer.Push(mavlink.Create(message));   // a MavlinkSender, which numbers the frames; full: by its rule
 /// </code>
 /// </example>
 public sealed class MavlinkLinkTarget(IByteLink link) : IWriterTarget<MavlinkFrame>

@@ -113,7 +113,10 @@ internal sealed class Display : RabitManager
 
     public Display()
         : base("display")
-        => _pose = Publish<Pose>("display pose");
+    {
+        _pose = Publish<Pose>("display pose");
+        WakeUpDelay = TimeSpan.FromMilliseconds(100);
+    }
 
     public static void Run()
     {
