@@ -37,7 +37,7 @@ public static class Geodesic
             throw new ArgumentException(
                 FormattableString.Invariant($"The line of {distanceMetres} m at {azimuth} is not a number."),
                 nameof(distanceMetres));
-        (double sinAlpha, double cosAlpha) = (Math.Sin(azimuth.Radians), Math.Cos(azimuth.Radians));
+        (double sinAlpha, double cosAlpha) = (Trig.Sin(azimuth.Radians), Trig.Cos(azimuth.Radians));
         Reduce(start.Latitude.Radians, out double sinBeta, out double cosBeta);
 
         // The great circle of the auxiliary sphere, from where it crosses the equator going north.
@@ -48,8 +48,8 @@ public static class Geodesic
         GeodesicSeries distance = GeodesicSeries.Distance(e);
         double tau = Math.Atan2(sinSigma1, cosSigma1) + distance.Periodic(sinSigma1, cosSigma1)
             + (distanceMetres / (Wgs84.B * distance.Mean));
-        double sigma2 = tau + GeodesicSeries.Arc(e).Periodic(Math.Sin(tau), Math.Cos(tau));
-        (double sinSigma2, double cosSigma2) = (Math.Sin(sigma2), Math.Cos(sigma2));
+        double sigma2 = tau + GeodesicSeries.Arc(e).Periodic(Trig.Sin(tau), Trig.Cos(tau));
+        (double sinSigma2, double cosSigma2) = (Trig.Sin(sigma2), Trig.Cos(sigma2));
 
         double sinBeta2 = cosAlpha0 * sinSigma2;
         double cosBeta2 = Hypotenuse(sinAlpha0, cosAlpha0 * cosSigma2);
@@ -139,7 +139,7 @@ public static class Geodesic
 
     private static void Reduce(double latitude, out double sinBeta, out double cosBeta)
     {
-        (sinBeta, cosBeta) = Normal((1 - Wgs84.F) * Math.Sin(latitude), Math.Cos(latitude));
+        (sinBeta, cosBeta) = Normal((1 - Wgs84.F) * Trig.Sin(latitude), Trig.Cos(latitude));
 
         // The cosine of a right angle is 6e-17 by rounding, or below 0.
         cosBeta = Math.Max(Tiny, Math.Abs(latitude) >= Math.PI / 2 ? 0 : cosBeta);

@@ -68,7 +68,7 @@ internal struct GeodesicProblem
     private double AlongMeridian()
     {
         // The sine of pi, as a number, is not 0.
-        (SinAlpha1, CosAlpha1) = (Lambda >= Math.PI ? 0 : Math.Sin(Lambda), Math.Cos(Lambda));
+        (SinAlpha1, CosAlpha1) = (Lambda >= Math.PI ? 0 : Trig.Sin(Lambda), Trig.Cos(Lambda));
         (SinAlpha2, CosAlpha2) = (0, 1);
         (_sinSigma1, _cosSigma1) = Geodesic.Normal(SinBeta1, (CosAlpha1 < 0 ? -1 : 1) * CosBeta1);
         (_sinSigma2, _cosSigma2) = Geodesic.Normal(SinBeta2, CosBeta2);
@@ -86,13 +86,13 @@ internal struct GeodesicProblem
     {
         double cosMiddle = (CosBeta1 + CosBeta2) / 2;
         double omega = Math.Min(Lambda / Math.Sqrt(1 - (Wgs84.E2 * cosMiddle * cosMiddle)), Math.PI);
-        double half = Math.Sin(omega / 2);
+        double half = Trig.Sin(omega / 2);
         double sinDifference = (SinBeta2 * CosBeta1) - (CosBeta2 * SinBeta1);
         double sinSum = (SinBeta2 * CosBeta1) + (CosBeta2 * SinBeta1);
-        double y = CosBeta2 * Math.Sin(omega);
-        double x = Math.Cos(omega) >= 0
+        double y = CosBeta2 * Trig.Sin(omega);
+        double x = Trig.Cos(omega) >= 0
             ? sinDifference + (2 * CosBeta2 * SinBeta1 * half * half)
-            : sinSum - (2 * CosBeta2 * SinBeta1 * Math.Cos(omega / 2) * Math.Cos(omega / 2));
+            : sinSum - (2 * CosBeta2 * SinBeta1 * Trig.Cos(omega / 2) * Trig.Cos(omega / 2));
         (SinAlpha1, CosAlpha1) = y > 0 || x != 0 ? Geodesic.Normal(Math.Max(y, Tiny), x) : (1, 0);
     }
 
@@ -113,8 +113,8 @@ internal struct GeodesicProblem
             double turn = _growth > 0 ? -miss / _growth : double.NaN;
             (double sin, double cos) = Math.Abs(turn) < 1
                 ? Geodesic.Normal(
-                    (SinAlpha1 * Math.Cos(turn)) + (CosAlpha1 * Math.Sin(turn)),
-                    (CosAlpha1 * Math.Cos(turn)) - (SinAlpha1 * Math.Sin(turn)))
+                    (SinAlpha1 * Trig.Cos(turn)) + (CosAlpha1 * Trig.Sin(turn)),
+                    (CosAlpha1 * Trig.Cos(turn)) - (SinAlpha1 * Trig.Sin(turn)))
                 : (-1, 0);
             bool isInside = sin > 0 && (lowCos * sin) - (lowSin * cos) > 0 && (cos * highSin) - (sin * highCos) > 0;
             if (!isInside)

@@ -38,8 +38,8 @@ public readonly record struct LocalNedFrame
     {
         Origin = origin;
         GeoidUndulationMetres = geoidUndulationMetres;
-        (_sinLat, _cosLat) = (Math.Sin(origin.Latitude.Radians), Math.Cos(origin.Latitude.Radians));
-        (_sinLon, _cosLon) = (Math.Sin(origin.Longitude.Radians), Math.Cos(origin.Longitude.Radians));
+        (_sinLat, _cosLat) = (Trig.Sin(origin.Latitude.Radians), Trig.Cos(origin.Latitude.Radians));
+        (_sinLon, _cosLon) = (Trig.Sin(origin.Longitude.Radians), Trig.Cos(origin.Longitude.Radians));
         (_x, _y, _z) = Wgs84.ToEarthCentred(
             origin.Latitude.Radians, origin.Longitude.Radians, origin.AltitudeAmslMetres + geoidUndulationMetres);
     }

@@ -77,9 +77,9 @@ public readonly record struct Rotation
     /// <param name="angles">Yaw, then pitch, then roll. Not a number stays so.</param>
     public static Rotation FromEuler(EulerAngles angles)
     {
-        (double sinRoll, double cosRoll) = (Math.Sin(angles.Roll.Radians / 2), Math.Cos(angles.Roll.Radians / 2));
-        (double sinPitch, double cosPitch) = (Math.Sin(angles.Pitch.Radians / 2), Math.Cos(angles.Pitch.Radians / 2));
-        (double sinYaw, double cosYaw) = (Math.Sin(angles.Yaw.Radians / 2), Math.Cos(angles.Yaw.Radians / 2));
+        (double sinRoll, double cosRoll) = (Trig.Sin(angles.Roll.Radians / 2), Trig.Cos(angles.Roll.Radians / 2));
+        (double sinPitch, double cosPitch) = (Trig.Sin(angles.Pitch.Radians / 2), Trig.Cos(angles.Pitch.Radians / 2));
+        (double sinYaw, double cosYaw) = (Trig.Sin(angles.Yaw.Radians / 2), Trig.Cos(angles.Yaw.Radians / 2));
         return new Rotation(
             (cosRoll * cosPitch * cosYaw) + (sinRoll * sinPitch * sinYaw),
             (sinRoll * cosPitch * cosYaw) - (cosRoll * sinPitch * sinYaw),
@@ -94,8 +94,8 @@ public readonly record struct Rotation
     public static Rotation FromRotationVector(double xRadians, double yRadians, double zRadians)
     {
         double angle = Math.Sqrt((xRadians * xRadians) + (yRadians * yRadians) + (zRadians * zRadians));
-        double factor = angle < 1e-8 ? 0.5 : Math.Sin(angle / 2) / angle;
-        return new Rotation(Math.Cos(angle / 2), xRadians * factor, yRadians * factor, zRadians * factor);
+        double factor = angle < 1e-8 ? 0.5 : Trig.Sin(angle / 2) / angle;
+        return new Rotation(Trig.Cos(angle / 2), xRadians * factor, yRadians * factor, zRadians * factor);
     }
 
     /// <summary>From a rotation matrix, row by row, as a calibration gives it.</summary>
@@ -123,8 +123,8 @@ public readonly record struct Rotation
         if (dot < NearlyEqual)
         {
             double angle = Math.Acos(dot);
-            double sine = Math.Sin(angle);
-            (a, b) = (Math.Sin(a * angle) / sine, Math.Sin(b * angle) / sine);
+            double sine = Trig.Sin(angle);
+            (a, b) = (Trig.Sin(a * angle) / sine, Trig.Sin(b * angle) / sine);
         }
 
         b *= sign;
@@ -152,7 +152,7 @@ public readonly record struct Rotation
 
         // The yaw that belongs to this roll, even where the roll is nothing but rounding.
         double roll = Math.Atan2(cosPitchSinRoll, cosPitchCosRoll);
-        (double sinRoll, double cosRoll) = (Math.Sin(roll), Math.Cos(roll));
+        (double sinRoll, double cosRoll) = (Trig.Sin(roll), Trig.Cos(roll));
         double sinYaw = (2 * ((X * Z) + (W * Y)) * sinRoll) - (2 * ((X * Y) - (W * Z)) * cosRoll);
         double cosYaw = ((1 - (2 * ((X * X) + (Z * Z)))) * cosRoll) - (2 * ((Y * Z) - (W * X)) * sinRoll);
         return EulerAngles.FromRadians(roll, Math.Atan2(sinPitch, cosPitch), Math.Atan2(sinYaw, cosYaw));

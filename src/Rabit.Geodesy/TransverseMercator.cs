@@ -49,7 +49,7 @@ internal static class TransverseMercator
     {
         double tau = Math.Tan(latitude);
         double conformal = Conformal(tau);
-        (double sinLon, double cosLon) = (Math.Sin(longitude), Math.Cos(longitude));
+        (double sinLon, double cosLon) = (Trig.Sin(longitude), Trig.Cos(longitude));
         double length = Geodesic.Hypotenuse(conformal, cosLon);
         double xi = Math.Atan2(conformal, cosLon);
         double eta = AreaSinh(sinLon / length);
@@ -58,7 +58,7 @@ internal static class TransverseMercator
         for (int j = 1; j <= 6; j++)
         {
             double a = Forward[j - 1];
-            (double sin, double cos) = (Math.Sin(2 * j * xi), Math.Cos(2 * j * xi));
+            (double sin, double cos) = (Trig.Sin(2 * j * xi), Trig.Cos(2 * j * xi));
             (double sinh, double cosh) = (Math.Sinh(2 * j * eta), Math.Cosh(2 * j * eta));
             north += a * sin * cosh;
             east += a * cos * sinh;
@@ -69,7 +69,7 @@ internal static class TransverseMercator
         x = Radius * east;
         y = Radius * north;
         convergence = Math.Atan2(conformal * sinLon, cosLon * Geodesic.Hypotenuse(1, conformal)) + Math.Atan2(q, p);
-        double sinLat = Math.Sin(latitude);
+        double sinLat = Trig.Sin(latitude);
         scale = Radius / Wgs84.A * Geodesic.Hypotenuse(p, q)
             * Math.Sqrt(1 - (Wgs84.E2 * sinLat * sinLat)) * Geodesic.Hypotenuse(1, tau) / length;
     }
@@ -81,14 +81,14 @@ internal static class TransverseMercator
         (double xi, double eta) = (north, east);
         for (int j = 1; j <= 6; j++)
         {
-            xi -= Backward[j - 1] * Math.Sin(2 * j * north) * Math.Cosh(2 * j * east);
-            eta -= Backward[j - 1] * Math.Cos(2 * j * north) * Math.Sinh(2 * j * east);
+            xi -= Backward[j - 1] * Trig.Sin(2 * j * north) * Math.Cosh(2 * j * east);
+            eta -= Backward[j - 1] * Trig.Cos(2 * j * north) * Math.Sinh(2 * j * east);
         }
 
         double sinh = Math.Sinh(eta);
-        double cos = Math.Cos(xi);
+        double cos = Trig.Cos(xi);
         longitude = Math.Atan2(sinh, cos);
-        latitude = Math.Atan(FromConformal(Math.Sin(xi) / Geodesic.Hypotenuse(sinh, cos)));
+        latitude = Math.Atan(FromConformal(Trig.Sin(xi) / Geodesic.Hypotenuse(sinh, cos)));
     }
 
     // Tangent of the conformal latitude of a tangent of the latitude.

@@ -25,10 +25,10 @@ internal static class Wgs84
 
     public static (double X, double Y, double Z) ToEarthCentred(double latitude, double longitude, double height)
     {
-        double sin = Math.Sin(latitude);
+        double sin = Trig.Sin(latitude);
         double n = A / Math.Sqrt(1 - (E2 * sin * sin));
-        double r = (n + height) * Math.Cos(latitude);
-        return (r * Math.Cos(longitude), r * Math.Sin(longitude), ((n * (1 - E2)) + height) * sin);
+        double r = (n + height) * Trig.Cos(latitude);
+        return (r * Trig.Cos(longitude), r * Trig.Sin(longitude), ((n * (1 - E2)) + height) * sin);
     }
 
     // Bowring's formula twice: below a nanometre anywhere near the earth's surface.
@@ -39,14 +39,14 @@ internal static class Wgs84
         double latitude = 0;
         for (int pass = 0; pass < 2; pass++)
         {
-            (double sinBeta, double cosBeta) = (Math.Sin(beta), Math.Cos(beta));
+            (double sinBeta, double cosBeta) = (Trig.Sin(beta), Trig.Cos(beta));
             latitude = Math.Atan2(
                 z + (SecondE2 * B * sinBeta * sinBeta * sinBeta), p - (E2 * A * cosBeta * cosBeta * cosBeta));
-            beta = Math.Atan2((1 - F) * Math.Sin(latitude), Math.Cos(latitude));
+            beta = Math.Atan2((1 - F) * Trig.Sin(latitude), Trig.Cos(latitude));
         }
 
-        double sin = Math.Sin(latitude);
-        double height = (p * Math.Cos(latitude)) + (z * sin) - (A * Math.Sqrt(1 - (E2 * sin * sin)));
+        double sin = Trig.Sin(latitude);
+        double height = (p * Trig.Cos(latitude)) + (z * sin) - (A * Math.Sqrt(1 - (E2 * sin * sin)));
         return (latitude, Math.Atan2(y, x), height);
     }
 }

@@ -34,7 +34,7 @@ public sealed record SimulatedOccluder
     /// <param name="place">In the frame of the world; down is not read.</param>
     public bool Hides(NedPosition place)
     {
-        (double sin, double cos) = (Math.Sin(Heading.Radians), Math.Cos(Heading.Radians));
+        (double sin, double cos) = (Trig.Sin(Heading.Radians), Trig.Cos(Heading.Radians));
         (double north, double east) = (place.North - Position.North, place.East - Position.East);
         double along = 2 * ((north * cos) + (east * sin)) / LengthMetres;
         double across = 2 * ((east * cos) - (north * sin)) / WidthMetres;

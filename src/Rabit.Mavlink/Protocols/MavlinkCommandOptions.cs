@@ -9,7 +9,7 @@ public sealed class MavlinkCommandOptions
     /// How long one try waits for an answer; 0.7 s. The guide leaves it open: MAVSDK and PX4 wait 0.5 s, a slow radio
     /// needs a little more.
     /// </summary>
-    public TimeSpan AnswerTimeout { get; init; } = TimeSpan.FromSeconds(0.7);
+    public TimeSpan AnswerTimeout { get; init; } = TimeSpan.OfSeconds(0.7);
 
     /// <summary>
     /// How often a command without any answer is sent again; 3. Copies sent after TEMPORARILY_REJECTED to a copy count

@@ -21,7 +21,7 @@ public sealed class MavlinkCommandServerOptions
     /// How long after a command was received IN_PROGRESS is sent if it has no result yet, and how long after each
     /// IN_PROGRESS the next one; 0.5 s.
     /// </summary>
-    public TimeSpan ProgressInterval { get; init; } = TimeSpan.FromSeconds(0.5);
+    public TimeSpan ProgressInterval { get; init; } = TimeSpan.OfSeconds(0.5);
 
     /// <summary>
     /// How long after its result, and after the last copy of it, a command that is received again counts as the same,

@@ -40,10 +40,10 @@ public sealed class MavlinkEventReceiver
     // Not in "times": nothing is known of the event of that number.
     private const uint NoTime = uint.MaxValue;
 
-    private static readonly TimeSpan AnswerTimeout = TimeSpan.FromSeconds(0.5);
+    private static readonly TimeSpan AnswerTimeout = TimeSpan.OfSeconds(0.5);
 
     // What has only been overtaken is not asked for.
-    private static readonly TimeSpan ReorderTime = TimeSpan.FromSeconds(0.1);
+    private static readonly TimeSpan ReorderTime = TimeSpan.OfSeconds(0.1);
 
     private readonly MavlinkSender _sender;
     private readonly MavlinkAddress _own;

@@ -8,7 +8,7 @@ public sealed class MavlinkFtpClientOptions
     /// <summary>
     /// How long an answer, or the next packet of a burst, is waited for before the request is sent again; 0.7 s.
     /// </summary>
-    public TimeSpan AnswerTimeout { get; init; } = TimeSpan.FromSeconds(0.7);
+    public TimeSpan AnswerTimeout { get; init; } = TimeSpan.OfSeconds(0.7);
 
     /// <summary>How often a request is sent again while nothing new comes; 6.</summary>
     public int Retries { get; init; } = 6;

@@ -17,7 +17,7 @@ public sealed class MavlinkFtpServerOptions
     /// <summary>
     /// The time between the packets of a burst; 10 ms. A slow radio needs more, to have room for other things.
     /// </summary>
-    public TimeSpan BurstInterval { get; init; } = TimeSpan.FromSeconds(0.01);
+    public TimeSpan BurstInterval { get; init; } = TimeSpan.OfSeconds(0.01);
 
     /// <summary>How many answers may wait to be sent; 16. What comes on top is dropped and counted.</summary>
     public int Capacity { get; init; } = 16;

@@ -33,7 +33,7 @@ public sealed class MavlinkHeartbeatTracker
     public static readonly TimeSpan DefaultLossTimeout = TimeSpan.FromSeconds(5);
 
     /// <summary>How far the time since boot may fall back without a reboot.</summary>
-    public static readonly TimeSpan ReorderTolerance = TimeSpan.FromMilliseconds(ReorderToleranceMs);
+    public static readonly TimeSpan ReorderTolerance = TimeSpan.OfMilliseconds(ReorderToleranceMs);
 
     private const uint ReorderToleranceMs = 3000;
     private const long NanosecondsPerMillisecond = 1_000_000;

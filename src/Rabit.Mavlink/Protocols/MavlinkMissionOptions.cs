@@ -9,10 +9,10 @@ namespace Rabit.Mavlink;
 public sealed class MavlinkMissionOptions
 {
     /// <summary>How long one try waits for an answer; 1.5 s.</summary>
-    public TimeSpan AnswerTimeout { get; init; } = TimeSpan.FromSeconds(1.5);
+    public TimeSpan AnswerTimeout { get; init; } = TimeSpan.OfSeconds(1.5);
 
     /// <summary>How long one request of an item waits; 0.25 s. A slow radio needs more.</summary>
-    public TimeSpan ItemTimeout { get; init; } = TimeSpan.FromSeconds(0.25);
+    public TimeSpan ItemTimeout { get; init; } = TimeSpan.OfSeconds(0.25);
 
     /// <summary>
     /// How often something is sent again without progress; 5. With a fifth of the frames lost a hundred items need some

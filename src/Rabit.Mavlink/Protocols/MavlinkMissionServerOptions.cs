@@ -20,7 +20,7 @@ public sealed class MavlinkMissionServerOptions
     public int MaxItems { get; init; } = 1000;
 
     /// <summary>How long an item is waited for before it is requested again; 0.25 s.</summary>
-    public TimeSpan RequestInterval { get; init; } = TimeSpan.FromSeconds(0.25);
+    public TimeSpan RequestInterval { get; init; } = TimeSpan.OfSeconds(0.25);
 
     /// <summary>
     /// How long an upload may go without a new item before it is given up, with OPERATION_CANCELLED; 5 s.

@@ -6,7 +6,7 @@ namespace Rabit.Mavlink;
 public sealed class MavlinkParameterOptions
 {
     /// <summary>How long one try waits for an answer; 0.7 s.</summary>
-    public TimeSpan AnswerTimeout { get; init; } = TimeSpan.FromSeconds(0.7);
+    public TimeSpan AnswerTimeout { get; init; } = TimeSpan.OfSeconds(0.7);
 
     /// <summary>How often a read or set without an answer is sent again; 5.</summary>
     public int Retries { get; init; } = 5;

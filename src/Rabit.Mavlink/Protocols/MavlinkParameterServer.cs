@@ -36,7 +36,7 @@ public sealed partial class MavlinkParameterServer
     private const int MaxTextChunks = 16;
 
     // What a list may be late before it is no longer caught up: a caller that comes seldom must not flood the link.
-    private static readonly TimeSpan MaxLateness = TimeSpan.FromSeconds(0.1);
+    private static readonly TimeSpan MaxLateness = TimeSpan.OfSeconds(0.1);
 
     private readonly MavlinkSender _sender;
     private readonly IMavlinkParameterStore _store;

@@ -20,7 +20,7 @@ public sealed class MavlinkParameterServerOptions
     /// <summary>
     /// The time between the values of a list; 20 ms, which leaves a slow radio room for other things.
     /// </summary>
-    public TimeSpan ListInterval { get; init; } = TimeSpan.FromSeconds(0.02);
+    public TimeSpan ListInterval { get; init; } = TimeSpan.OfSeconds(0.02);
 
     /// <summary>Whether refusals and unknown names are answered by PARAM_ERROR; true by default.</summary>
     public bool SendsErrors { get; init; } = true;

@@ -32,7 +32,7 @@ namespace Rabit.Mavlink;
 public sealed class MavlinkRateClient
 {
     /// <summary>How long one try waits for an answer.</summary>
-    public static readonly TimeSpan AnswerTimeout = TimeSpan.FromSeconds(0.7);
+    public static readonly TimeSpan AnswerTimeout = TimeSpan.OfSeconds(0.7);
 
     /// <summary>Over how long a rate is measured.</summary>
     public static readonly TimeSpan Window = TimeSpan.FromSeconds(5);
@@ -276,7 +276,7 @@ public sealed class MavlinkRateClient
 
             // A window in which it was requested has both rates in it.
             if (_windowStart is { } from && entry.Requests > 0 && entry.RequestedAt < from)
-                entry.Measured = entry.InWindow / (now - from).TotalSeconds;
+                entry.Measured = entry.InWindow / (now - from).ExactSeconds;
             entry.InWindow = 0;
             bool isOff = this[i].IsOffBy(Tolerance) && entry.Answer != MavlinkRateAnswer.Refused
                 && entry.Repeats < MaxRepeats;

@@ -116,8 +116,8 @@ public sealed class MavlinkTimesyncFilter
     /// </returns>
     public bool AddRoundTrip(TimeSpan askedAt, TimeSpan receivedAt, double theirSeconds)
     {
-        double roundTrip = (receivedAt - askedAt).TotalSeconds;
-        double middle = (askedAt.TotalSeconds + receivedAt.TotalSeconds) / 2;
+        double roundTrip = (receivedAt - askedAt).ExactSeconds;
+        double middle = (askedAt.ExactSeconds + receivedAt.ExactSeconds) / 2;
         var answer = new Answer(middle, theirSeconds - middle, roundTrip);
         if (!(roundTrip >= 0 && roundTrip <= MaxRoundTripSeconds) || double.IsNaN(answer.Offset)
             || double.IsInfinity(answer.Offset))
@@ -157,7 +157,7 @@ public sealed class MavlinkTimesyncFilter
     {
         if (_count == 0)
             return;
-        double ours = arrival.TotalSeconds;
+        double ours = arrival.ExactSeconds;
         double offset = theirSeconds - ours;
         double late = OffsetSecondsAt(ours) - offset;
         if (late >= -MaxLateSeconds && late <= MaxLateSeconds)
@@ -168,7 +168,7 @@ public sealed class MavlinkTimesyncFilter
     /// <param name="now">The time, by our clock.</param>
     /// <returns>Whether the offset is valid.</returns>
     public bool IsKnown(TimeSpan now)
-        => _count >= MinAnswers && now.TotalSeconds - (_origin + _newest) <= ValidFor.TotalSeconds;
+        => _count >= MinAnswers && now.ExactSeconds - (_origin + _newest) <= ValidFor.ExactSeconds;
 
     /// <summary>How far the autopilot's clock is ahead of ours. Only once there is an answer.</summary>
     /// <param name="ourSeconds">A time by our clock, seconds.</param>

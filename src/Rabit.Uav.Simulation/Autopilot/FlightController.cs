@@ -11,7 +11,7 @@ namespace Rabit.Uav.Simulation;
 internal sealed class FlightController
 {
     // After its first heartbeat: ap-fence-reboot in tests/data/autopilots.
-    private static readonly TimeSpan InitialisationTime = TimeSpan.FromSeconds(1.4);
+    private static readonly TimeSpan InitialisationTime = TimeSpan.OfSeconds(1.4);
 
     private readonly Action<MavSeverity, string> _say;
     private readonly HoldFlight _hold = new();
@@ -242,7 +242,7 @@ internal sealed class FlightController
 
         // Landed by itself, or forgotten on the ground.
         double delay = Situation.Parameters.DisarmDelay.Value;
-        bool isForgotten = delay > 0 && !_flight.IsTakingOff && (Situation.Time - _idleSince).TotalSeconds >= delay;
+        bool isForgotten = delay > 0 && !_flight.IsTakingOff && (Situation.Time - _idleSince).ExactSeconds >= delay;
         if ((_flight.DisarmsWhenLanded && _landing.IsDone) || isForgotten)
             Disarm();
     }

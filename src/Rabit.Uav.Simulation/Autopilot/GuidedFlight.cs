@@ -170,7 +170,7 @@ internal sealed class GuidedFlight : FlightMode
     {
         _isUp |= _task == Task.TakeOff && Math.Abs(_place.Down - situation.Position.Down) < TakeOffReached;
         if (_task is not (Task.Velocity or Task.PlaceAndVelocity)
-            || (situation.Time - _targetTime).TotalSeconds <= situation.Parameters.GuidedTimeout.Value)
+            || (situation.Time - _targetTime).ExactSeconds <= situation.Parameters.GuidedTimeout.Value)
         {
             return;
         }

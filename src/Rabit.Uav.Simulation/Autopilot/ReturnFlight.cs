@@ -76,7 +76,7 @@ internal sealed class ReturnFlight : FlightMode
         if (_part == Part.Home && above.Minus(situation.Position).HorizontalLength() < HomeReached)
         {
             _part = Part.Wait;
-            _landsAt = situation.Time + TimeSpan.FromMilliseconds(situation.Parameters.ReturnLoiter.Value);
+            _landsAt = situation.Time + TimeSpan.OfMilliseconds(situation.Parameters.ReturnLoiter.Value);
         }
 
         if (_part == Part.Wait && situation.Time >= _landsAt)

@@ -45,7 +45,7 @@ internal sealed class StreamSchedule
 
         // It counts in whole milliseconds.
         int milliseconds = (int)Math.Min(intervalMicroseconds / 1000, MaxMilliseconds);
-        Put(messageId, TimeSpan.FromMilliseconds(milliseconds), now);
+        Put(messageId, TimeSpan.OfMilliseconds(milliseconds), now);
         return MavResult.Accepted;
     }
 
@@ -55,7 +55,7 @@ internal sealed class StreamSchedule
         foreach (int messageId in Group(group))
         {
             if (hertz > 0)
-                Put(messageId, TimeSpan.FromMilliseconds(1000 / hertz), now);
+                Put(messageId, TimeSpan.OfMilliseconds(1000 / hertz), now);
             else
                 Remove(messageId);
         }

@@ -115,7 +115,7 @@ internal sealed class TargetReader(FlightController controller, TelemetrySender 
     {
         if (!isBody)
             return vector;
-        (double sin, double cos) = (Math.Sin(controller.Situation.Yaw), Math.Cos(controller.Situation.Yaw));
+        (double sin, double cos) = (Trig.Sin(controller.Situation.Yaw), Trig.Cos(controller.Situation.Yaw));
         return new NedVector(
             (vector.North * cos) - (vector.East * sin), (vector.North * sin) + (vector.East * cos), vector.Down);
     }

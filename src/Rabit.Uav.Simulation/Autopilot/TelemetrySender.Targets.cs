@@ -54,7 +54,7 @@ internal sealed partial class TelemetrySender
         double middle = (from.Latitude.Radians + to.Latitude.Radians) / 2;
         return new NedVector(
             (to.Latitude.Radians - from.Latitude.Radians) * metresPerRadian,
-            NedMath.Wrapped(to.Longitude.Radians - from.Longitude.Radians) * metresPerRadian * Math.Cos(middle),
+            NedMath.Wrapped(to.Longitude.Radians - from.Longitude.Radians) * metresPerRadian * Trig.Cos(middle),
             from.AltitudeAmslMetres - to.AltitudeAmslMetres);
     }
 
@@ -87,7 +87,7 @@ internal sealed partial class TelemetrySender
         if (!fence.IsEnabled)
             return;
         bool isBreached = fence.Breached != FenceKinds.None;
-        double age = Math.Max(0, (controller.Situation.Time - fence.BreachTime).TotalMilliseconds);
+        double age = Math.Max(0, (controller.Situation.Time - fence.BreachTime).ExactMilliseconds);
         sink.Send(new FenceStatus
         {
             BreachStatus = isBreached ? (byte)1 : (byte)0,

@@ -22,9 +22,9 @@ internal readonly struct BodyAxes(Vector3 forward, Vector3 right, Vector3 down)
     /// </summary>
     public static BodyAxes FromEulerAngles(double yaw, double pitch, double roll)
     {
-        (double sinYaw, double cosYaw) = (Math.Sin(yaw), Math.Cos(yaw));
-        (double sinPitch, double cosPitch) = (Math.Sin(pitch), Math.Cos(pitch));
-        (double sinRoll, double cosRoll) = (Math.Sin(roll), Math.Cos(roll));
+        (double sinYaw, double cosYaw) = (Trig.Sin(yaw), Trig.Cos(yaw));
+        (double sinPitch, double cosPitch) = (Trig.Sin(pitch), Trig.Cos(pitch));
+        (double sinRoll, double cosRoll) = (Trig.Sin(roll), Trig.Cos(roll));
 
         var forward = new Vector3(cosPitch * cosYaw, cosPitch * sinYaw, -sinPitch);
         var levelRight = new Vector3(-sinYaw, cosYaw, 0);

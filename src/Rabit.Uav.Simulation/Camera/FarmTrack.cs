@@ -28,7 +28,7 @@ internal readonly struct FarmTrack
     public double LineAt(double north)
     {
         double turn = 2 * Math.PI * north / _period;
-        return _middle + (_swing * Math.Sin(turn + _phase)) + (0.3 * _swing * Math.Sin((3 * turn) + (2 * _phase)));
+        return _middle + (_swing * Trig.Sin(turn + _phase)) + (0.3 * _swing * Trig.Sin((3 * turn) + (2 * _phase)));
     }
 
     /// <summary>How bare the ground is, 0 to 1; metres within one period.</summary>

@@ -57,7 +57,7 @@ internal sealed class PictureFaults(IReadOnlyList<ScriptedFault> faults)
                     RepeatedNumber = repeated ?? number;
                     break;
                 case ScriptedFaultKind.PictureTimesOff:
-                    TimeOff = TimeSpan.FromSeconds(fault.Value);
+                    TimeOff = TimeSpan.OfSeconds(fault.Value);
                     break;
             }
         }

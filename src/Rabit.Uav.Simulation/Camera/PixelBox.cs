@@ -28,7 +28,7 @@ internal readonly struct PixelBox(int left, int top, int right, int bottom)
     {
         box = default;
         NedPosition centre = sheet.PositionAt(pose.Time);
-        (double sin, double cos) = (Math.Sin(sheet.Heading.Radians), Math.Cos(sheet.Heading.Radians));
+        (double sin, double cos) = (Trig.Sin(sheet.Heading.Radians), Trig.Cos(sheet.Heading.Radians));
         (double leastX, double mostX, double leastY, double mostY) =
             (double.MaxValue, double.MinValue, double.MaxValue, double.MinValue);
         int behind = 0;

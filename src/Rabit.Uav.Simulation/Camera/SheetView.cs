@@ -18,7 +18,7 @@ internal readonly struct SheetView
 
     public SheetView(SimulatedTarget sheet, in CameraPose pose)
     {
-        (double sin, double cos) = (Math.Sin(sheet.Heading.Radians), Math.Cos(sheet.Heading.Radians));
+        (double sin, double cos) = (Trig.Sin(sheet.Heading.Radians), Trig.Cos(sheet.Heading.Radians));
         NedPosition centre = sheet.PositionAt(pose.Time);
         (double north, double east) = (pose.North - centre.North, pose.East - centre.East);
         _along = Terms(pose, cos, sin, (north * cos) + (east * sin));

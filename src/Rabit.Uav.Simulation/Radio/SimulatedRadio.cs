@@ -84,7 +84,7 @@ internal sealed class SimulatedRadio
             return;
         }
 
-        _busyUntil = begin + TimeSpan.FromSeconds((double)length / _options.BytesPerSecond);
+        _busyUntil = begin + TimeSpan.OfSeconds((double)length / _options.BytesPerSecond);
         station.Counters.FramesSent++;
         station.Counters.BytesSent += length;
         byte[] bytes = _buffer.AsSpan(0, length).ToArray();
@@ -102,8 +102,8 @@ internal sealed class SimulatedRadio
 
     private void Deliver(int from, int to, byte[] bytes)
     {
-        double jitter = -Math.Log(1 - _random.Uniform()) * _options.Jitter.TotalSeconds;
-        TimeSpan due = _busyUntil + _options.Latency + TimeSpan.FromSeconds(jitter);
+        double jitter = -Math.Log(1 - _random.Uniform()) * _options.Jitter.ExactSeconds;
+        TimeSpan due = _busyUntil + _options.Latency + TimeSpan.OfSeconds(jitter);
         _onTheWay.Add((due, _number++), (from, to, bytes));
     }
 
@@ -185,8 +185,8 @@ internal sealed class SimulatedRadio
             while (_until <= now)
             {
                 _isOn = _until > TimeSpan.Zero && !_isOn;
-                double mean = _isOn ? options.BurstDuration.TotalSeconds : 1 / options.BurstsPerSecond;
-                _until += TimeSpan.FromSeconds(Math.Max(1e-3, -Math.Log(1 - random.Uniform()) * mean));
+                double mean = _isOn ? options.BurstDuration.ExactSeconds : 1 / options.BurstsPerSecond;
+                _until += TimeSpan.OfSeconds(Math.Max(1e-3, -Math.Log(1 - random.Uniform()) * mean));
             }
 
             return _isOn;

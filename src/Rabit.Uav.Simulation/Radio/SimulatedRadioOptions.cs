@@ -45,7 +45,7 @@ public sealed class SimulatedRadioOptions
 
     /// <summary>How long a burst lasts on average (Gilbert and Elliott's model).</summary>
     /// <value>Above zero. The default is 0.5 s.</value>
-    public TimeSpan BurstDuration { get; set; } = TimeSpan.FromSeconds(0.5);
+    public TimeSpan BurstDuration { get; set; } = TimeSpan.OfSeconds(0.5);
 
     /// <summary>How long a frame is on its way, without jitter and the time in which it is sent.</summary>
     /// <value><see cref="MinLatency"/> to 10 s. The default is 40 ms.</value>

@@ -120,7 +120,7 @@ public static class TruthFile
         }
 
         json.WriteNumber("batteryRemaining", truth.BatteryRemaining);
-        json.WriteNumber("airtimeSeconds", truth.Airtime.TotalSeconds);
+        json.WriteNumber("airtimeSeconds", truth.Airtime.ExactSeconds);
         json.WriteNumber("flownMetres", truth.FlownMetres);
         json.WriteNumber("maxHeightMetres", truth.MaxHeightMetres);
         json.WriteNumber("maxSpeedMetresPerSecond", truth.MaxSpeedMetresPerSecond);
@@ -139,7 +139,7 @@ public static class TruthFile
     // Ends the object that was begun.
     private static void WritePose(Utf8JsonWriter json, in TruePose pose)
     {
-        json.WriteNumber("timeSeconds", Math.Round(pose.Time.TotalSeconds, 3));
+        json.WriteNumber("timeSeconds", Math.Round(pose.Time.ExactSeconds, 3));
         json.WriteNumber("northMetres", Math.Round(pose.Position.North, 3));
         json.WriteNumber("eastMetres", Math.Round(pose.Position.East, 3));
         json.WriteNumber("heightMetres", Math.Round(-pose.Position.Down, 3) + 0.0);

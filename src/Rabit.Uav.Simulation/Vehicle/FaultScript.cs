@@ -41,8 +41,8 @@ internal sealed class FaultScript(IReadOnlyList<ScriptedFault> faults)
         {
             if (faults[index].Kind != ScriptedFaultKind.Gust || !faults[index].IsOn(time))
                 continue;
-            double sine = Math.Sin(
-                Math.PI * (time - faults[index].At).TotalSeconds / faults[index].Duration.TotalSeconds);
+            double sine = Trig.Sin(
+                Math.PI * (time - faults[index].At).ExactSeconds / faults[index].Duration.ExactSeconds);
             gust += faults[index].Value * sine * sine;
         }
 

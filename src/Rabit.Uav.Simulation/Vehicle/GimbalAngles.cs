@@ -25,9 +25,9 @@ internal readonly struct GimbalAngles(GimbalFrame frame, double yaw, double roll
     /// <summary>The turn from looking straight ahead, w first, about the axes of the frame.</summary>
     public FloatArray4 ToQuaternion()
     {
-        (double sinPitch, double cosPitch) = (Math.Sin(Pitch / 2), Math.Cos(Pitch / 2));
-        (double sinRoll, double cosRoll) = (Math.Sin(Roll / 2), Math.Cos(Roll / 2));
-        (double sinYaw, double cosYaw) = (Math.Sin(Yaw / 2), Math.Cos(Yaw / 2));
+        (double sinPitch, double cosPitch) = (Trig.Sin(Pitch / 2), Trig.Cos(Pitch / 2));
+        (double sinRoll, double cosRoll) = (Trig.Sin(Roll / 2), Trig.Cos(Roll / 2));
+        (double sinYaw, double cosYaw) = (Trig.Sin(Yaw / 2), Trig.Cos(Yaw / 2));
         var q = default(FloatArray4);
         q[0] = (float)((cosYaw * cosRoll * cosPitch) - (sinYaw * sinRoll * sinPitch));
         q[1] = (float)((cosYaw * sinRoll * cosPitch) - (sinYaw * cosRoll * sinPitch));

@@ -14,5 +14,5 @@ internal sealed class LossTimer
 
     /// <summary>Whether it was received, but not for more than a time.</summary>
     public bool IsLost(TimeSpan time, double seconds)
-        => _received is { } received && (time - received).TotalSeconds > seconds;
+        => _received is { } received && (time - received).ExactSeconds > seconds;
 }

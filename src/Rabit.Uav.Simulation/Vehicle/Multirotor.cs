@@ -48,9 +48,9 @@ internal sealed class Multirotor
 
     /// <summary>Body rates, radians per second.</summary>
     public BodyRates Rates => BodyRates.FromRadiansPerSecond(
-        _rollRate - (_yawRate * Math.Sin(Pitch)),
-        (_pitchRate * Math.Cos(Roll)) + (_yawRate * Math.Sin(Roll) * Math.Cos(Pitch)),
-        (-_pitchRate * Math.Sin(Roll)) + (_yawRate * Math.Cos(Roll) * Math.Cos(Pitch)));
+        _rollRate - (_yawRate * Trig.Sin(Pitch)),
+        (_pitchRate * Trig.Cos(Roll)) + (_yawRate * Trig.Sin(Roll) * Trig.Cos(Pitch)),
+        (-_pitchRate * Trig.Sin(Roll)) + (_yawRate * Trig.Cos(Roll) * Trig.Cos(Pitch)));
 
     public bool IsOnGround => Position.Down >= 0;
 
@@ -80,9 +80,9 @@ internal sealed class Multirotor
 
         // Forward and right of the vehicle, from how it stands; the motors hold the weight besides.
         double forward = -NedMath.Gravity * Math.Tan(Pitch);
-        double right = NedMath.Gravity * Math.Tan(Roll) / Math.Cos(Pitch);
-        double north = (forward * Math.Cos(Yaw)) - (right * Math.Sin(Yaw));
-        double east = (forward * Math.Sin(Yaw)) + (right * Math.Cos(Yaw));
+        double right = NedMath.Gravity * Math.Tan(Roll) / Trig.Cos(Pitch);
+        double north = (forward * Trig.Cos(Yaw)) - (right * Trig.Sin(Yaw));
+        double east = (forward * Trig.Sin(Yaw)) + (right * Trig.Cos(Yaw));
         _lift += (wanted.Down - _lift) * seconds / LiftSeconds;
         Move(new NedVector(north - (Drag * air.North), east - (Drag * air.East), _lift), seconds);
     }
@@ -133,10 +133,10 @@ internal sealed class Multirotor
     // right.
     private void Lean(double north, double east, double seconds)
     {
-        double forward = (north * Math.Cos(Yaw)) + (east * Math.Sin(Yaw));
-        double right = (east * Math.Cos(Yaw)) - (north * Math.Sin(Yaw));
+        double forward = (north * Trig.Cos(Yaw)) + (east * Trig.Sin(Yaw));
+        double right = (east * Trig.Cos(Yaw)) - (north * Trig.Sin(Yaw));
         double pitch = NedMath.Limited(-Math.Atan(forward / NedMath.Gravity), -MaxTilt, MaxTilt);
-        double roll = NedMath.Limited(Math.Atan(right * Math.Cos(pitch) / NedMath.Gravity), -MaxTilt, MaxTilt);
+        double roll = NedMath.Limited(Math.Atan(right * Trig.Cos(pitch) / NedMath.Gravity), -MaxTilt, MaxTilt);
         _pitchRate = NedMath.Limited((pitch - Pitch) / AttitudeSeconds, -MaxTiltRate, MaxTiltRate);
         _rollRate = NedMath.Limited((roll - Roll) / AttitudeSeconds, -MaxTiltRate, MaxTiltRate);
         Pitch += _pitchRate * seconds;

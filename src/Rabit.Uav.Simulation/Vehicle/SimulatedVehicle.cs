@@ -18,7 +18,7 @@ internal sealed class SimulatedVehicle : ILinkSink
     private const long TicksPerMicrosecond = 10;
 
     // From the reboot command to the first heartbeat: ap-fence-reboot in tests/data/autopilots.
-    private static readonly TimeSpan BootTime = TimeSpan.FromSeconds(0.9);
+    private static readonly TimeSpan BootTime = TimeSpan.OfSeconds(0.9);
 
     private readonly SimulationOptions _options;
     private readonly TruthHistory _history;
@@ -66,7 +66,7 @@ internal sealed class SimulatedVehicle : ILinkSink
             : new StabilisedGimbal(options.Seed, frameOfMount, options.Heading.Radians, StepSeconds, pitch, yaw);
 
         var constants = new SimulationRandom(options.Seed, "vehicle constants");
-        TimeSpan bootedBefore = options.BootedBefore ?? TimeSpan.FromSeconds(constants.Uniform(20, 80));
+        TimeSpan bootedBefore = options.BootedBefore ?? TimeSpan.OfSeconds(constants.Uniform(20, 80));
         _driftPpm = options.ClockDriftPpm ?? constants.ModestNormal(20);
         _clock = new BootClock(bootedBefore, _driftPpm);
         double fromRadians = options.WindFrom?.Radians ?? constants.Uniform(-Math.PI, Math.PI);

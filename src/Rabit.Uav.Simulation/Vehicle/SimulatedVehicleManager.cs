@@ -14,7 +14,7 @@ namespace Rabit.Uav.Simulation;
 internal sealed class SimulatedVehicleManager : RabitManager
 {
     private const int FramesWaiting = 512;
-    private static readonly TimeSpan StepTime = TimeSpan.FromSeconds(SimulatedVehicle.StepSeconds);
+    private static readonly TimeSpan StepTime = TimeSpan.OfSeconds(SimulatedVehicle.StepSeconds);
 
     private readonly SimulatedVehicle _vehicle;
     private readonly TruthRecorder _recorder;

@@ -58,7 +58,7 @@ internal sealed class StabilisedGimbal : Gimbal
 
         // The vehicle's leaning, about the camera's axes.
         double yaw = isNorth ? Yaw - _heading : Yaw;
-        (double sin, double cos) = (Math.Sin(yaw), Math.Cos(yaw));
+        (double sin, double cos) = (Trig.Sin(yaw), Trig.Cos(yaw));
         _roll.Step(seconds * ((rates.RollRadiansPerSecond * cos) + (rates.PitchRadiansPerSecond * sin)));
         _pitch.Step(seconds * ((rates.PitchRadiansPerSecond * cos) - (rates.RollRadiansPerSecond * sin)));
 

@@ -29,8 +29,8 @@ internal sealed class WindField
     public WindField(SimulationRandom random, double meanSpeed, double fromRadians, double step)
     {
         MeanSpeed = _mean = meanSpeed;
-        _toNorth = -Math.Cos(fromRadians);
-        _toEast = -Math.Sin(fromRadians);
+        _toNorth = -Trig.Cos(fromRadians);
+        _toEast = -Trig.Sin(fromRadians);
         _step = step;
 
         // Of unit strength here; the mean at the time scales what comes in.

@@ -99,7 +99,7 @@ internal static class OccluderField
     }
 
     private static NedPosition On(TargetRoute route, ref SeededSequence random)
-        => route.PositionAt(TimeSpan.FromSeconds(route.PeriodSeconds * random.NextUnit()));
+        => route.PositionAt(TimeSpan.OfSeconds(route.PeriodSeconds * random.NextUnit()));
 
     private static NedPosition Anywhere(GroundPolygon area, ref SeededSequence random)
     {

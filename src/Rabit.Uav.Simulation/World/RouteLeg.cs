@@ -56,18 +56,18 @@ internal sealed class RouteLeg
     {
         double way = WayAt(seconds);
         if (_turnPerMetre == 0)
-            return _start + new NedVector(way * Math.Cos(_heading), way * Math.Sin(_heading), 0);
+            return _start + new NedVector(way * Trig.Cos(_heading), way * Trig.Sin(_heading), 0);
         double turned = _heading + (way * _turnPerMetre);
         return _start + new NedVector(
-            (Math.Sin(turned) - Math.Sin(_heading)) / _turnPerMetre,
-            (Math.Cos(_heading) - Math.Cos(turned)) / _turnPerMetre, 0);
+            (Trig.Sin(turned) - Trig.Sin(_heading)) / _turnPerMetre,
+            (Trig.Cos(_heading) - Trig.Cos(turned)) / _turnPerMetre, 0);
     }
 
     public NedVector VelocityAt(double seconds)
     {
         double speed = SpeedAt(seconds);
         double heading = _heading + (WayAt(seconds) * _turnPerMetre);
-        return new NedVector(speed * Math.Cos(heading), speed * Math.Sin(heading), 0);
+        return new NedVector(speed * Trig.Cos(heading), speed * Trig.Sin(heading), 0);
     }
 
     private double WayAt(double seconds)

@@ -51,9 +51,9 @@ internal sealed class SimulationRandom
 
         double radius = Math.Sqrt(-2 * Math.Log(1 - Uniform()));
         double angle = 2 * Math.PI * Uniform();
-        _spare = radius * Math.Sin(angle);
+        _spare = radius * Trig.Sin(angle);
         _hasSpare = true;
-        return radius * Math.Cos(angle);
+        return radius * Trig.Cos(angle);
     }
 
     /// <summary>

@@ -93,7 +93,7 @@ internal sealed class SurfacePattern
     public SurfacePattern PartlyHidden(ref SeededSequence random)
     {
         double angle = 2 * Math.PI * random.NextUnit();
-        (double sin, double cos) = (Math.Sin(angle), Math.Cos(angle));
+        (double sin, double cos) = (Trig.Sin(angle), Trig.Cos(angle));
         double part = 0.2 + (0.2 * random.NextUnit());
         double[] reach = new double[CoverSide * CoverSide];
         for (int i = 0; i < reach.Length; i++)

@@ -38,7 +38,7 @@ internal sealed class TargetRoute
     // A time before the start of the run is that of the start.
     private RouteLeg LegAt(TimeSpan time, out double seconds)
     {
-        seconds = Math.Max(0, time.TotalSeconds) % _period;
+        seconds = Math.Max(0, time.ExactSeconds) % _period;
         foreach (RouteLeg leg in _legs)
         {
             if (seconds < leg.Seconds)

@@ -47,7 +47,7 @@ internal static class TargetRoutes
             double way = leastWay + ((mostWay - leastWay) * random.NextUnit());
             NedPosition next = legs.Count == Places - 1
                 ? target.Position
-                : at + new NedVector(way * Math.Cos(heading), way * Math.Sin(heading), 0);
+                : at + new NedVector(way * Trig.Cos(heading), way * Trig.Sin(heading), 0);
             RouteLeg? leg = Straight(at, next, isWalking, ref random);
             bool canReturn = legs.Count < Places - 2 || (legs.Count == Places - 1)
                 || IsInside(area, Straight(next, target.Position, isWalking, ref random));

@@ -23,8 +23,8 @@ internal sealed class WorldFrame
     public WorldFrame(GeodeticPosition origin)
     {
         Origin = origin;
-        _sin = Math.Sin(origin.Latitude.Radians);
-        _cos = Math.Cos(origin.Latitude.Radians);
+        _sin = Trig.Sin(origin.Latitude.Radians);
+        _cos = Trig.Cos(origin.Latitude.Radians);
         _normal = NormalRadius(_sin);
     }
 
@@ -33,16 +33,16 @@ internal sealed class WorldFrame
     /// <summary>A place in the world, metres.</summary>
     public NedVector ToWorld(GeodeticPosition place)
     {
-        double sin = Math.Sin(place.Latitude.Radians);
-        double cos = Math.Cos(place.Latitude.Radians);
+        double sin = Trig.Sin(place.Latitude.Radians);
+        double cos = Trig.Cos(place.Latitude.Radians);
         double east = place.Longitude.Radians - Origin.Longitude.Radians;
         double normal = NormalRadius(sin);
         double radius = normal + place.AltitudeAmslMetres;
         double correction = EccentricitySquared * ((_normal * _sin) - (normal * sin));
-        double up = (radius * ((_cos * cos * Math.Cos(east)) + (_sin * sin))) + (_sin * correction)
+        double up = (radius * ((_cos * cos * Trig.Cos(east)) + (_sin * sin))) + (_sin * correction)
             - (_normal + Origin.AltitudeAmslMetres);
-        double north = (radius * ((_cos * sin) - (_sin * cos * Math.Cos(east)))) + (_cos * correction);
-        return new NedVector(north, radius * cos * Math.Sin(east), -up);
+        double north = (radius * ((_cos * sin) - (_sin * cos * Trig.Cos(east)))) + (_cos * correction);
+        return new NedVector(north, radius * cos * Trig.Sin(east), -up);
     }
 
     /// <summary>The place of a point of the world.</summary>
@@ -55,11 +55,11 @@ internal sealed class WorldFrame
         for (int pass = 0; pass < Passes; pass++)
         {
             // Each pass leaves about distance / earth radius of the error before it: eight are enough for any flight.
-            double sin = Math.Sin(latitude);
+            double sin = Trig.Sin(latitude);
             double normal = NormalRadius(sin);
             double meridian = normal * (1 - EccentricitySquared) / (1 - (EccentricitySquared * sin * sin));
             latitude += missing.North / (meridian + altitude);
-            longitude += missing.East / ((normal + altitude) * Math.Cos(latitude));
+            longitude += missing.East / ((normal + altitude) * Trig.Cos(latitude));
             altitude -= missing.Down;
             NedVector reached = ToWorld(GeodeticPosition.FromRadians(latitude, longitude, altitude));
             missing = point.Minus(reached);

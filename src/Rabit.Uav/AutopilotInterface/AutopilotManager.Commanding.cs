@@ -17,7 +17,7 @@ public sealed partial class AutopilotManager
 
     // What moves the vehicle follows from what was reported a moment ago; after a stall of Communications it no longer
     // does. Of a command the next repetition is sent, of set-points the next one.
-    private static readonly TimeSpan MaxCommandDelay = TimeSpan.FromSeconds(0.3);
+    private static readonly TimeSpan MaxCommandDelay = TimeSpan.OfSeconds(0.3);
 
     // Something that is due now.
     private static readonly TimeSpan MinDelay = TimeSpan.FromMilliseconds(1);

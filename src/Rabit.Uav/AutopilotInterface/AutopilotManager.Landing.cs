@@ -10,7 +10,7 @@ namespace Rabit.Uav.AutopilotInterface;
 public sealed partial class AutopilotManager
 {
     // ArduPilot forgets a target after a second, and goes back in its own past for the time of the picture.
-    private static readonly TimeSpan MaxTargetAge = TimeSpan.FromSeconds(0.5);
+    private static readonly TimeSpan MaxTargetAge = TimeSpan.OfSeconds(0.5);
 
     private readonly MessageSubscriber<LandingTargetObservation>? _landingTarget; // null where it is not sent
     private readonly LandingTargetEncoder _landing = new();

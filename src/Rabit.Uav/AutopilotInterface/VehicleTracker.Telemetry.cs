@@ -181,7 +181,7 @@ internal sealed partial class VehicleTracker
 
         // Where it comes from, clockwise from north.
         double from = message.Direction * Angle.RadiansPerDegree;
-        return ApplyWind(-message.Speed * Math.Cos(from), -message.Speed * Math.Sin(from), time);
+        return ApplyWind(-message.Speed * Trig.Cos(from), -message.Speed * Trig.Sin(from), time);
     }
 
     // The velocity of the air. Of its variances one is a square and the other always 0 in PX4, unlike the definition:

@@ -144,9 +144,9 @@ public sealed class CameraModel
     {
         if (Readout < TimeSpan.Zero || Readout > MaxReadout)
         {
-            double limit = MaxReadout.TotalMilliseconds;
+            double limit = MaxReadout.ExactMilliseconds;
             yield return FormattableString.Invariant(
-                $"the camera's picture is read in {Readout.TotalMilliseconds} ms; it must be 0 to {limit} ms");
+                $"the camera's picture is read in {Readout.ExactMilliseconds} ms; it must be 0 to {limit} ms");
         }
 
         if (Width < 1 || Height < 1)

@@ -154,7 +154,7 @@ public sealed class MavlinkLinkSource : IReaderSource<LinkFrame>
     }
 
     private int Milliseconds(TimeSpan due)
-        => Math.Max(1, (int)Math.Ceiling((due - _context!.Now).TotalMilliseconds));
+        => Math.Max(1, (int)Math.Ceiling((due - _context!.Now).ExactMilliseconds));
 
     private void Accept(LinkRead read)
     {

@@ -14,7 +14,7 @@ internal sealed class OwnPosition(double hertz)
     private const ushort UnknownHeading = ushort.MaxValue;
     private const double FullTurn = 36_000;
 
-    private readonly TimeSpan _period = hertz > 0 ? TimeSpan.FromSeconds(1 / hertz) : TimeSpan.MaxValue;
+    private readonly TimeSpan _period = hertz > 0 ? TimeSpan.OfSeconds(1 / hertz) : TimeSpan.MaxValue;
     private TimeSpan _due;
 
     /// <summary>How often it is sent; the longest time where it is not.</summary>

@@ -102,7 +102,7 @@ internal sealed class TargetTelemetry
             VerVelocity = 0,
             Callsign = new Text9(callsign.Length <= MaxCallsign ? callsign : callsign.Substring(0, MaxCallsign)),
             EmitterType = AdsbEmitterType.PointObstacle,
-            Tslc = (byte)Math.Max(0, Math.Min(byte.MaxValue, (now - track.LastSeen).TotalSeconds)),
+            Tslc = (byte)Math.Max(0, Math.Min(byte.MaxValue, (now - track.LastSeen).ExactSeconds)),
             Flags = AdsbFlags.ValidCoords | AdsbFlags.ValidAltitude | AdsbFlags.ValidCallsign,
         };
     }

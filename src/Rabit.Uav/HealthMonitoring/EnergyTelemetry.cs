@@ -49,8 +49,8 @@ internal sealed class EnergyTelemetry
         1 => 100 * energy.ChargeLeftDeviation,
         2 => 100 * energy.ChargeHome,
         3 => 100 * energy.ChargeHomeDeviation,
-        4 => energy.TimeToReturn.TotalSeconds,
-        5 => double.IsInfinity(energy.ChargeHome) ? double.PositiveInfinity : energy.TimeHome.TotalSeconds,
+        4 => energy.TimeToReturn.ExactSeconds,
+        5 => double.IsInfinity(energy.ChargeHome) ? double.PositiveInfinity : energy.TimeHome.ExactSeconds,
         _ => 100 * energy.CapacityFraction,
     };
 }

@@ -31,7 +31,7 @@ internal static partial class HealthRules
 
     private static readonly TimeSpan FixDwell = TimeSpan.FromSeconds(2);
     private static readonly TimeSpan FixReturnDwell = TimeSpan.FromSeconds(30);
-    private static readonly TimeSpan PositionDwell = TimeSpan.FromSeconds(0.5);
+    private static readonly TimeSpan PositionDwell = TimeSpan.OfSeconds(0.5);
     private static readonly TimeSpan PositionLandDwell = TimeSpan.FromSeconds(15);
     private static readonly TimeSpan PositionClearDwell = TimeSpan.FromSeconds(3);
     private static readonly TimeSpan EstimatorDwell = TimeSpan.FromSeconds(1);

@@ -48,10 +48,10 @@ internal static partial class HealthRules
         => manager.State is ManagerState.Running or ManagerState.Starting;
 
     private static string Seconds(TimeSpan time)
-        => time.TotalSeconds.ToString("0.#", CultureInfo.InvariantCulture) + " s";
+        => time.ExactSeconds.ToString("0.#", CultureInfo.InvariantCulture) + " s";
 
     private static string Seconds(long ticks)
-        => new TimeSpan(ticks).TotalSeconds.ToString("0.0", CultureInfo.InvariantCulture);
+        => new TimeSpan(ticks).ExactSeconds.ToString("0.0", CultureInfo.InvariantCulture);
 
     // Rounded down; autopilots report whole per cent, and 0.29 * 100 is slightly less than 29.
     private static long Percent(double fraction) => (long)Math.Floor((fraction * 100) + 1e-9);

@@ -47,7 +47,7 @@ internal sealed class WayComparison
             if (gap > MaxGap)
                 Clear();
             else
-                (way, error) = Compare(state, gap.TotalSeconds);
+                (way, error) = Compare(state, gap.ExactSeconds);
         }
 
         _ways[_next] = way;

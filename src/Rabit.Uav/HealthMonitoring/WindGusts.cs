@@ -24,8 +24,8 @@ internal sealed class WindGusts
     public double Update(in VehicleState vehicle, TimeSpan now)
     {
         if (vehicle.WindTime is { } time && !double.IsNaN(vehicle.WindMetresPerSecond))
-            Take((long)Math.Floor(time.TotalSeconds), vehicle.WindMetresPerSecond);
-        long oldest = (long)Math.Floor(now.TotalSeconds) - SecondsKept;
+            Take((long)Math.Floor(time.ExactSeconds), vehicle.WindMetresPerSecond);
+        long oldest = (long)Math.Floor(now.ExactSeconds) - SecondsKept;
         (double first, double second) = (double.NegativeInfinity, double.NegativeInfinity);
         foreach ((long at, double speed) in _strongest)
         {

@@ -88,7 +88,7 @@ public sealed class ImageProcessingOptions
     /// The default is 0.65 s: a camera clock that is half a second fast, or a radio that takes as long, can then still
     /// be found out by where the targets are; without poses, Health reports it within 3 s.
     /// </value>
-    public TimeSpan PoseTimeout { get; set; } = TimeSpan.FromSeconds(0.65);
+    public TimeSpan PoseTimeout { get; set; } = TimeSpan.OfSeconds(0.65);
 
     /// <summary>
     /// How far beyond the newest samples a pose is extrapolated, once a picture has waited long enough; its covariance

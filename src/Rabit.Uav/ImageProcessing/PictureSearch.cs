@@ -217,7 +217,7 @@ internal sealed class PictureSearch : IGroundScaleSource
     private bool TrySmear(
         TimeSpan exposure, in Pose pose, in ImagingCommand command, GeodeticPosition centre, out double metres)
     {
-        GroundProjection end = _projector.At(pose.After(exposure.TotalSeconds), command);
+        GroundProjection end = _projector.At(pose.After(exposure.ExactSeconds), command);
         bool isGround = end.TryProjectToGround(_part.Centre.X, _part.Centre.Y, out GeodeticPosition later);
         metres = isGround
             ? LocalNedFrame.IgnoringGeoid(centre).ToNed(later).HorizontalDistanceTo(NedPosition.Origin)

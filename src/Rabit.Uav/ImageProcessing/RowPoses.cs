@@ -24,8 +24,8 @@ internal sealed class RowPoses(CameraModel camera, PoseHistory poses, TimeSpan m
         if (camera.Readout > TimeSpan.Zero
             && poses.Extrapolate(time, maxExtrapolation, out pose) is not (PoseLookup.Known or PoseLookup.Extrapolated))
         {
-            pose = middle.After((time - middle.Time).TotalSeconds);
-            pose.ExtrapolatedSeconds = Math.Max(0, middle.ExtrapolatedSeconds + (time - middle.Time).TotalSeconds);
+            pose = middle.After((time - middle.Time).ExactSeconds);
+            pose.ExtrapolatedSeconds = Math.Max(0, middle.ExtrapolatedSeconds + (time - middle.Time).ExactSeconds);
         }
 
         return pose;

@@ -17,7 +17,7 @@ internal sealed class CommandDispatcher(Func<VehicleCommand, bool> push, Action<
     private static readonly TimeSpan Validity = TimeSpan.FromSeconds(3);
 
     // At least once a second, with ticks of 0.2 s of which one may be left out.
-    private static readonly TimeSpan RenewalPeriod = TimeSpan.FromSeconds(0.6);
+    private static readonly TimeSpan RenewalPeriod = TimeSpan.OfSeconds(0.6);
 
     private VehicleCommand _goal;
     private VehicleCommand _newest;

@@ -92,14 +92,14 @@ internal sealed class FixedWingFollower : ILaneFollower
         var velocity = new PlanePoint(flight.Vehicle.VelocityNed.North, flight.Vehicle.VelocityNed.East);
         return flight.GoalPosition.DistanceTo(_centre) <= 0 && flight.Commands.IsAccepted
             && flown <= 0 && flown >= -2 * LeadInRadii * _radius && Math.Abs(offset) <= MaxOffsetInRadii * _radius
-            && velocity.Dot(_along) >= Math.Cos(MaxAngleRadians) * velocity.Length && velocity.Length > 0;
+            && velocity.Dot(_along) >= Trig.Cos(MaxAngleRadians) * velocity.Length && velocity.Length > 0;
     }
 
     private bool IsLateOnLane(MissionFlight flight, double flown)
     {
         if (flown >= _best + ProgressMetres)
             Note(flight, flown);
-        return (flight.ActiveTime - _progressTime).TotalSeconds > MaxSecondsOnLane;
+        return (flight.ActiveTime - _progressTime).ExactSeconds > MaxSecondsOnLane;
     }
 
     private bool IsLateToLane(MissionFlight flight)
@@ -108,10 +108,10 @@ internal sealed class FixedWingFollower : ILaneFollower
         if (_onCircleSince is null && distance <= OnCircleInRadii * _radius)
             _onCircleSince = flight.ActiveTime;
         if (_onCircleSince is { } since)
-            return (flight.ActiveTime - since).TotalSeconds > (MaxTurnsOnCircle * _turnSeconds) + ReserveSeconds;
+            return (flight.ActiveTime - since).ExactSeconds > (MaxTurnsOnCircle * _turnSeconds) + ReserveSeconds;
         if (distance <= _best - ProgressMetres)
             Note(flight, distance);
-        return (flight.ActiveTime - _progressTime).TotalSeconds > _turnSeconds + ReserveSeconds;
+        return (flight.ActiveTime - _progressTime).ExactSeconds > _turnSeconds + ReserveSeconds;
     }
 
     private void Note(MissionFlight flight, double best) => (_best, _progressTime) = (best, flight.ActiveTime);

@@ -76,7 +76,7 @@ internal sealed class LegProgress
         if (IsNewLeg(flight))
             _wasCommandedAgain = false;
         (_to, _height, _isWatching) = (flight.GoalPosition, HeightOf(flight), true);
-        _turnsUntil = flight.ActiveTime + TimeSpan.FromSeconds(
+        _turnsUntil = flight.ActiveTime + TimeSpan.OfSeconds(
             (flight.GroundSpeed + flight.Mission.SpeedMetresPerSecond) / BrakingMetresPerSecondSquared);
         Note(flight, distance, closing);
     }

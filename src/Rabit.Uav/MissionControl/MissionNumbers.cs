@@ -21,5 +21,5 @@ internal static class MissionNumbers
         => p.Latitude.Degrees.ToString("0.0000000", CultureInfo.InvariantCulture) + ", "
             + p.Longitude.Degrees.ToString("0.0000000", CultureInfo.InvariantCulture);
 
-    public static string Seconds(TimeSpan time) => Of(time.TotalSeconds) + " s";
+    public static string Seconds(TimeSpan time) => Of(time.ExactSeconds) + " s";
 }

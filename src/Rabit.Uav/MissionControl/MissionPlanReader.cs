@@ -88,7 +88,7 @@ internal static class MissionPlanReader
                 HeightMetres = revisit.Number("heightMetres"),
                 RadiusMetres = revisit.Number("radiusMetres") ?? 10,
                 MaxWayFraction = revisit.Number("maxWayFraction") ?? 1.0 / 3,
-                FollowTime = TimeSpan.FromSeconds(revisit.Number("followSeconds") ?? 20),
+                FollowTime = TimeSpan.OfSeconds(revisit.Number("followSeconds") ?? 20),
                 FollowSpeedMetresPerSecond = revisit.Number("followSpeedMetresPerSecond"),
             },
             CameraPitch = Angle.FromDegrees(camera.Number("pitchDegrees") ?? -90),
@@ -218,7 +218,7 @@ internal static class MissionPlanReader
 
     // What is no number, or far out of its range, is a fault elsewhere.
     private static TimeSpan ToTime(double seconds)
-        => TimeSpan.FromSeconds(double.IsNaN(seconds) ? 0 : Math.Max(-1e6, Math.Min(1e6, seconds)));
+        => TimeSpan.OfSeconds(double.IsNaN(seconds) ? 0 : Math.Max(-1e6, Math.Min(1e6, seconds)));
 
     private static Angle? ToAngle(double? degrees) => degrees is { } number ? Angle.FromDegrees(number) : null;
 }

@@ -81,7 +81,7 @@ internal static class MissionPlanRules
             MaxHeightMetres);
         yield return ("revisit.radiusMetres", plan.Revisit.RadiusMetres, 0, 100);
         yield return ("revisit.maxWayFraction", plan.Revisit.MaxWayFraction, 0, 10);
-        yield return ("revisit.followSeconds", plan.Revisit.FollowTime.TotalSeconds, 0, 3600);
+        yield return ("revisit.followSeconds", plan.Revisit.FollowTime.ExactSeconds, 0, 3600);
         yield return (
             "revisit.followSpeedMetresPerSecond", plan.Revisit.FollowSpeedMetresPerSecond ?? MinSpeed, MinSpeed,
             MaxSpeed);
@@ -93,10 +93,10 @@ internal static class MissionPlanRules
             "limits.maxHeightMetres", plan.MaxHeightMetres ?? MaxHeightMetres, MinHeightMetres + HeightReserveMetres,
             MaxHeightMetres);
         yield return ("limits.maxDistanceMetres", plan.MaxDistanceMetres ?? 5000, 20, 5000);
-        double hold = plan.GroundStationLost.HoldAfter?.TotalSeconds ?? 5;
+        double hold = plan.GroundStationLost.HoldAfter?.ExactSeconds ?? 5;
         yield return ("groundStationLost.holdAfterSeconds", hold, 5, 600);
         yield return (
-            "groundStationLost.returnAfterSeconds", plan.GroundStationLost.ReturnAfter?.TotalSeconds ?? 3600,
+            "groundStationLost.returnAfterSeconds", plan.GroundStationLost.ReturnAfter?.ExactSeconds ?? 3600,
             Math.Max(5, Math.Min(hold, 600)), 3600);
     }
 

@@ -44,5 +44,5 @@ internal abstract class MissionState(MissionPhase phase)
 
     protected static MissionStep Impossible(string reason) => new(MissionEvent.Impossible, reason);
 
-    protected static TimeSpan Seconds(double seconds) => TimeSpan.FromSeconds(seconds);
+    protected static TimeSpan Seconds(double seconds) => TimeSpan.OfSeconds(seconds);
 }

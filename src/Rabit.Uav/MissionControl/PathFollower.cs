@@ -55,7 +55,7 @@ internal sealed class PathFollower : ILaneFollower
 
     /// <summary>Time-out for a path of some length.</summary>
     public static TimeSpan TimeLimit(MissionFlight flight, double metres)
-        => TimeSpan.FromSeconds(TimeReserveSeconds + (TimeFactor * metres / flight.Mission.SpeedMetresPerSecond));
+        => TimeSpan.OfSeconds(TimeReserveSeconds + (TimeFactor * metres / flight.Mission.SpeedMetresPerSecond));
 
     /// <summary>
     /// More time for the way that a leg may still have, where the operator has made the vehicle slower.
@@ -67,7 +67,7 @@ internal sealed class PathFollower : ILaneFollower
         double before = speed;
         speed = flight.Mission.SpeedMetresPerSecond;
         return speed < before
-            ? TimeSpan.FromSeconds(TimeFactor * FlightPlan.MaxAreaDistanceMetres * ((1 / speed) - (1 / before)))
+            ? TimeSpan.OfSeconds(TimeFactor * FlightPlan.MaxAreaDistanceMetres * ((1 / speed) - (1 / before)))
             : TimeSpan.Zero;
     }
 

@@ -16,7 +16,7 @@ internal readonly struct PlanePoint(double north, double east)
     public static PlanePoint operator *(double factor, PlanePoint p) => new(factor * p.North, factor * p.East);
 
     /// <summary>The unit vector of a heading, radians clockwise from north.</summary>
-    public static PlanePoint Towards(double headingRadians) => new(Math.Cos(headingRadians), Math.Sin(headingRadians));
+    public static PlanePoint Towards(double headingRadians) => new(Trig.Cos(headingRadians), Trig.Sin(headingRadians));
 
     public double Length => Math.Sqrt((North * North) + (East * East));
 

@@ -95,7 +95,7 @@ internal sealed class PlanePolygon
     public PlanePolygon Grown(double metres)
     {
         const int Directions = 16;
-        double reach = metres / Math.Cos(Math.PI / Directions);
+        double reach = metres / Trig.Cos(Math.PI / Directions);
         return HullOf(Corners.SelectMany(c => Enumerable.Range(0, Directions)
             .Select(i => c + (reach * PlanePoint.Towards(2 * Math.PI * i / Directions)))));
     }

@@ -35,7 +35,7 @@ internal sealed class RevisitBudget
     /// <param name="detourMetres">What it takes.</param>
     public string? FindFault(double detourMetres)
     {
-        TimeSpan limit = TimeSpan.FromSeconds(LimitMetres / _speed) + TimeSpan.FromTicks(TimeOfRevisit.Ticks * _count);
+        TimeSpan limit = TimeSpan.OfSeconds(LimitMetres / _speed) + TimeSpan.FromTicks(TimeOfRevisit.Ticks * _count);
         return UsedMetres + detourMetres > LimitMetres
             ? $"would take {MissionNumbers.Of(detourMetres)} m more; of the {MissionNumbers.Of(LimitMetres)} m for "
                 + $"revisits {MissionNumbers.Of(UsedMetres)} m are used"

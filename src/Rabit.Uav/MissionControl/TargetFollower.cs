@@ -39,7 +39,7 @@ internal sealed class TargetFollower
     private const double SameTargetMetres = 40;
 
     // Fewer commands are larger steps, each of which leans the vehicle more.
-    private static readonly TimeSpan CommandPeriod = TimeSpan.FromSeconds(0.4);
+    private static readonly TimeSpan CommandPeriod = TimeSpan.OfSeconds(0.4);
     private static readonly TimeSpan MaxReportAge = TimeSpan.FromSeconds(2);
 
     // So long it is looked for where it is expected.
@@ -83,7 +83,7 @@ internal sealed class TargetFollower
         _goal = flight.Position;
         _transit.Begin(flight, _goal);
         PlanePoint first = GoalFor(flight);
-        _wayThere = TimeSpan.FromSeconds(2 * first.DistanceTo(_goal) / Speed(flight));
+        _wayThere = TimeSpan.OfSeconds(2 * first.DistanceTo(_goal) / Speed(flight));
         Command(flight, first);
     }
 
@@ -121,7 +121,7 @@ internal sealed class TargetFollower
         }
 
         Go(flight, isInView);
-        Look(flight, step.TotalSeconds);
+        Look(flight, step.ExactSeconds);
         IsRejected = track?.State == TrackState.Rejected;
         return InView >= flight.Mission.Revisit.FollowTime || IsRejected
             || flight.ActiveTime - (_lastInView ?? (_begun + _wayThere)) > _target.MaxSearch;
@@ -150,10 +150,10 @@ internal sealed class TargetFollower
     {
         if (!flight.Camera.IsThere || _search is not null)
             return;
-        TimeSpan then = flight.Now + TimeSpan.FromSeconds(PointingSeconds);
+        TimeSpan then = flight.Now + TimeSpan.OfSeconds(PointingSeconds);
         PlanePoint target = _mark.PlaceAt(then, MaxPointingSeconds);
         NedVector velocity = flight.Vehicle.VelocityNed;
-        double ahead = (then - (flight.Vehicle.PositionTime ?? flight.Now)).TotalSeconds;
+        double ahead = (then - (flight.Vehicle.PositionTime ?? flight.Now)).ExactSeconds;
         PlanePoint off = target - flight.Position - (ahead * new PlanePoint(velocity.North, velocity.East));
         double ground = flight.Plan!.GroundAboveHome(target);
         _pointing.Point(
@@ -189,7 +189,7 @@ internal sealed class TargetFollower
     private PlanePoint GoalFor(MissionFlight flight)
     {
         PlanePoint ahead = flight.Camera.IsThere
-            ? _turn.PlaceAt(_mark, Math.Min(MaxExtrapolationSeconds, Unseen(flight).TotalSeconds) + GimbalLeadSeconds)
+            ? _turn.PlaceAt(_mark, Math.Min(MaxExtrapolationSeconds, Unseen(flight).ExactSeconds) + GimbalLeadSeconds)
             : Expected(flight) + (LeadSeconds * _mark.Velocity);
         return RevisitPass.PlaceToSee(flight, ahead, _heading.HeadingRadians);
     }

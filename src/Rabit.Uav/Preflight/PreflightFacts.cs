@@ -35,5 +35,5 @@ internal sealed class PreflightFacts(PreflightOptions options)
     public long FramesMissing { get; set; }
 
     /// <summary>Whether something that was reported at a time is not older than so many seconds.</summary>
-    public bool IsFresh(TimeSpan? time, double seconds) => Now - time <= TimeSpan.FromSeconds(seconds);
+    public bool IsFresh(TimeSpan? time, double seconds) => Now - time <= TimeSpan.OfSeconds(seconds);
 }

@@ -194,7 +194,7 @@ internal static class VehicleRules
         if (facts.Imaging.LastFrameTime is not { } last)
             return PreflightJudgement.Fail(
                 facts.Imaging.Fault is { } fault ? "no picture yet: " + fault : "no picture yet");
-        string text = Text("{0:0} s ago", Math.Floor((facts.Now - last).TotalSeconds));
+        string text = Text("{0:0} s ago", Math.Floor((facts.Now - last).ExactSeconds));
         return facts.Now - last <= facts.Options.MaxPictureAge
             ? PreflightJudgement.Pass(text)
             : PreflightJudgement.Fail(text);

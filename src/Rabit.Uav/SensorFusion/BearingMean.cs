@@ -78,8 +78,8 @@ internal struct BearingMean
             Count++;
             _weights += weight;
             _squares += weight * weight;
-            _cos += weight * Math.Cos(phase);
-            _sin += weight * Math.Sin(phase);
+            _cos += weight * Trig.Cos(phase);
+            _sin += weight * Trig.Sin(phase);
             _systematic = Math.Max(_systematic, bearing.SystematicSigma.Radians);
         }
 

@@ -46,7 +46,7 @@ public sealed class SensorFusionOptions
     /// How long reports of another vehicle wait for the others of the same picture, which are then assigned together.
     /// </summary>
     /// <value>The default is 0.5 s.</value>
-    public TimeSpan ReportGroupingDelay { get; set; } = TimeSpan.FromSeconds(0.5);
+    public TimeSpan ReportGroupingDelay { get; set; } = TimeSpan.OfSeconds(0.5);
 
     /// <summary>How much older than the newest report of a track another one may be and still count.</summary>
     /// <value>The default is 10 s.</value>

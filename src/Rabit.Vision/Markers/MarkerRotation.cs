@@ -55,7 +55,7 @@ internal readonly struct MarkerRotation
         if (angle < 1e-15)
             return this;
         (x, y, z) = (x / angle, y / angle, z / angle);
-        (double sin, double cos) = (Math.Sin(angle), Math.Cos(angle));
+        (double sin, double cos) = (Trig.Sin(angle), Trig.Cos(angle));
         (double ax, double ay, double az) = Turn(_xx, _xy, _xz);
         (double bx, double by, double bz) = Turn(_yx, _yy, _yz);
         return FromAxes(ax, ay, az, bx, by, bz);

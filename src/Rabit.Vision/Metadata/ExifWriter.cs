@@ -40,7 +40,7 @@ internal static class ExifWriter
     {
         var exposure = new ExifDirectory();
         if (photo.ExposureTime is { } seconds)
-            exposure.AddRationals(0x829A, seconds.TotalSeconds);
+            exposure.AddRationals(0x829A, seconds.ExactSeconds);
         exposure.AddUndefined(0x9000, Encoding.ASCII.GetBytes("0232"));
         if (photo.TakenLocal is { } taken)
         {
@@ -68,7 +68,7 @@ internal static class ExifWriter
     // Of a second.
     private static int DigitsOf(TimeSpan? resolution)
         => resolution is not { } step ? MaxDigits
-            : (int)Math.Max(0, Math.Min(MaxDigits, Math.Round(-Math.Log10(Math.Max(1e-7, step.TotalSeconds)))));
+            : (int)Math.Max(0, Math.Min(MaxDigits, Math.Round(-Math.Log10(Math.Max(1e-7, step.ExactSeconds)))));
 
     private static ExifDirectory PositionOf(PhotoMetadata photo)
     {
@@ -91,7 +91,7 @@ internal static class ExifWriter
         if (photo.PositionTimeUtc is { } time)
             position.AddRationals(
                 7, time.UtcDateTime.Hour, time.UtcDateTime.Minute,
-                (time.UtcDateTime.TimeOfDay.TotalSeconds % 60));
+                (time.UtcDateTime.TimeOfDay.ExactSeconds % 60));
         if (photo.ImageDirectionDegrees is { } direction)
         {
             position.AddText(0x10, photo.IsImageDirectionMagnetic ? "M" : "T");

@@ -64,7 +64,7 @@ public readonly struct FittedRectangle(double length, double width, double angle
         ReadOnlySpan<PicturePoint> points, double angle, double widening, ref double best, ref double bestAngle,
         ref double along, ref double across)
     {
-        (double cos, double sin) = (Math.Cos(angle), Math.Sin(angle));
+        (double cos, double sin) = (Trig.Cos(angle), Trig.Sin(angle));
         (double minU, double maxU) = (double.PositiveInfinity, double.NegativeInfinity);
         (double minV, double maxV) = (double.PositiveInfinity, double.NegativeInfinity);
         foreach (PicturePoint point in points)

@@ -98,9 +98,9 @@ internal sealed class MatchSelection(int maxMatches)
             return false;
         if (distance < MinDistance * (length + width) / 2)
             return true;
-        (double cos, double sin) = (Math.Cos(kept.HeadingRadians), Math.Sin(kept.HeadingRadians));
+        (double cos, double sin) = (Trig.Cos(kept.HeadingRadians), Trig.Sin(kept.HeadingRadians));
         double turn = other.HeadingRadians - kept.HeadingRadians;
-        (double c, double s) = (Math.Abs(Math.Cos(turn)), Math.Abs(Math.Sin(turn)));
+        (double c, double s) = (Math.Abs(Trig.Cos(turn)), Math.Abs(Trig.Sin(turn)));
         double along = ((length + (c * length) + (s * width)) / 2) - Math.Abs((x * cos) + (y * sin));
         double across = ((width + (s * length) + (c * width)) / 2) - Math.Abs((y * cos) - (x * sin));
         return along > 0 && across > 0

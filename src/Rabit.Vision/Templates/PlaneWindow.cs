@@ -17,8 +17,8 @@ internal struct PlaneWindow
     /// <summary>Along a heading of the plane, with pixels of a given side.</summary>
     public static PlaneWindow Along(in PlaneScale scale, double heading, double metresPerPixel)
     {
-        double cos = System.Math.Cos(heading) * metresPerPixel;
-        double sin = System.Math.Sin(heading) * metresPerPixel;
+        double cos = System.Trig.Cos(heading) * metresPerPixel;
+        double sin = System.Trig.Sin(heading) * metresPerPixel;
         var window = default(PlaneWindow);
         (window.ColumnByColumn, window.RowByColumn) = scale.ToPicture(cos, sin);
         (window.ColumnByRow, window.RowByRow) = scale.ToPicture(-sin, cos);

@@ -142,10 +142,10 @@ internal sealed class TemplateTraining(IReadOnlyList<TrainingPicture> pictures, 
 
     private static bool IsWrongHeading(in TemplateCandidate candidate, TrainingObject one)
     {
-        double least = Math.Sin(WrongHeadingDegrees * Math.PI / 180);
+        double least = Trig.Sin(WrongHeadingDegrees * Math.PI / 180);
         return one.Box.Contains(candidate.Match.CentreX, candidate.Match.CentreY)
-            && Math.Abs(Math.Sin(candidate.Match.HeadingRadians - one.Heading)) > least
-            && Math.Abs(Math.Sin(candidate.Match.HeadingRadians - one.Other)) > least;
+            && Math.Abs(Trig.Sin(candidate.Match.HeadingRadians - one.Heading)) > least
+            && Math.Abs(Trig.Sin(candidate.Match.HeadingRadians - one.Other)) > least;
     }
 
     private bool Prepare(TrainingPicture picture, int heading)

@@ -19,7 +19,7 @@ internal sealed class TrainingObject
     public double Other { get; }
 
     /// <summary>Whether both are nearly the same.</summary>
-    public bool IsClear => Math.Abs(Math.Sin(Heading - Other)) <= Math.Sin(2 * ClearDegrees * Math.PI / 180);
+    public bool IsClear => Math.Abs(Trig.Sin(Heading - Other)) <= Trig.Sin(2 * ClearDegrees * Math.PI / 180);
 
     public static TrainingObject From(TrainingBox box, double widthByLength)
     {
@@ -30,7 +30,7 @@ internal sealed class TrainingObject
         (double best, double least) = (0, double.MaxValue);
         for (int degrees = 0; degrees <= 90; degrees++)
         {
-            (double cos, double sin) = (Math.Cos(degrees * Math.PI / 180), Math.Sin(degrees * Math.PI / 180));
+            (double cos, double sin) = (Trig.Cos(degrees * Math.PI / 180), Trig.Sin(degrees * Math.PI / 180));
             double off = Math.Abs(
                 Math.Log((sin + (widthByLength * cos)) / (cos + (widthByLength * sin))) - sought);
             if (off < least)

@@ -144,7 +144,7 @@ internal sealed class AutoFlight : FlightMode
             return;
         }
 
-        _leavesAt ??= situation.Time + TimeSpan.FromSeconds(_holdSeconds);
+        _leavesAt ??= situation.Time + TimeSpan.OfSeconds(_holdSeconds);
         if (situation.Time < _leavesAt)
             return;
         ReportReached();

@@ -43,7 +43,7 @@ internal sealed class Px4Checks(
         _next = situation.Time + Period;
         Px4Parameters parameters = situation.Parameters;
         IsOffboardStreamLost = _setPointReceived == TimeSpan.MinValue
-            || (situation.Time - _setPointReceived).TotalSeconds > parameters.OffboardLossTime.Value;
+            || (situation.Time - _setPointReceived).ExactSeconds > parameters.OffboardLossTime.Value;
         CheckLoad();
         CheckManualControl();
         CheckGroundStation();
@@ -86,7 +86,7 @@ internal sealed class Px4Checks(
         {
             events.Send(
                 Px4Event.ManualControlRegained, 0x66,
-                default(Px4EventArguments).Float((situation.Time - _manualLostAt).TotalSeconds));
+                default(Px4EventArguments).Float((situation.Time - _manualLostAt).ExactSeconds));
         }
 
         IsManualControlLost = isLost;

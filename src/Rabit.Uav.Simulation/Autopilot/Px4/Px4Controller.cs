@@ -239,7 +239,7 @@ internal sealed partial class Px4Controller
         double delay = _hasFlown
             ? Situation.Parameters.DisarmLanded.Value
             : Situation.Parameters.DisarmPreflight.Value;
-        if (delay <= 0 || (Situation.Time - _landedAt).TotalSeconds < delay || _flight.IsTakingOff)
+        if (delay <= 0 || (Situation.Time - _landedAt).ExactSeconds < delay || _flight.IsTakingOff)
             return;
         if (_hasFlown)
             Disarm(reason: 6, "Disarmed by landing");

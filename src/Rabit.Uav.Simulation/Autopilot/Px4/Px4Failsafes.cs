@@ -37,7 +37,7 @@ internal sealed class Px4Failsafes
     // Where none were received when it armed, their absence is no failsafe.
     private bool WereReceivedInFlight
         => _situation.Sticks.Received
-            >= _situation.ArmedAt - TimeSpan.FromSeconds(_situation.Parameters.ManualLossTime.Value);
+            >= _situation.ArmedAt - TimeSpan.OfSeconds(_situation.Parameters.ManualLossTime.Value);
 
     /// <summary>What is done now.</summary>
     public Px4Action Action { get; private set; }

@@ -7,7 +7,7 @@ internal sealed class Px4Links
 {
     // PX4 takes a heartbeat for lost 1.4 s after the last one; COM_DL_LOSS_T counts from there (recorded: 6.3 to 6.4 s
     // with COM_DL_LOSS_T 5).
-    private static readonly TimeSpan HeartbeatTimeout = TimeSpan.FromSeconds(1.4);
+    private static readonly TimeSpan HeartbeatTimeout = TimeSpan.OfSeconds(1.4);
 
     private readonly Px4Streams[] _streams;
     private readonly TimeSpan?[] _groundReceived;
@@ -44,7 +44,7 @@ internal sealed class Px4Links
     {
         foreach (TimeSpan? received in _groundReceived)
         {
-            if (received is { } last && Now - last <= HeartbeatTimeout + TimeSpan.FromSeconds(seconds))
+            if (received is { } last && Now - last <= HeartbeatTimeout + TimeSpan.OfSeconds(seconds))
                 return false;
         }
 

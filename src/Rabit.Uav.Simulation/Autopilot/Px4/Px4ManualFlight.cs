@@ -55,7 +55,7 @@ internal sealed class Px4ManualFlight(bool holdsPosition) : Px4Flight
             _place = null;
             command.HorizontalAcceleration = stick * situation.Parameters.Acceleration.Value;
             double speed = situation.Parameters.ManualSpeed.Value;
-            (double sin, double cos) = (Math.Sin(situation.Yaw), Math.Cos(situation.Yaw));
+            (double sin, double cos) = (Trig.Sin(situation.Yaw), Trig.Cos(situation.Yaw));
             return new NedVector((ahead * cos) - (right * sin), (ahead * sin) + (right * cos), 0).Times(speed);
         }
 

@@ -124,7 +124,7 @@ internal sealed class Px4ReturnFlight(Px4Events events, WorldFrame frame) : Px4F
         {
             _part = Part.Wait;
             double delay = situation.Parameters.LandDelay.Value;
-            _landsAt = delay < 0 ? TimeSpan.MaxValue : situation.Time + TimeSpan.FromSeconds(delay);
+            _landsAt = delay < 0 ? TimeSpan.MaxValue : situation.Time + TimeSpan.OfSeconds(delay);
         }
         else if (_part == Part.Wait && situation.Time >= _landsAt)
         {

@@ -95,7 +95,7 @@ internal sealed class Px4SetPointReader(Px4Controller controller, Px4Telemetry t
     {
         if (!isBody)
             return vector;
-        (double sin, double cos) = (Math.Sin(controller.Situation.Yaw), Math.Cos(controller.Situation.Yaw));
+        (double sin, double cos) = (Trig.Sin(controller.Situation.Yaw), Trig.Cos(controller.Situation.Yaw));
         return new NedVector(
             (vector.North * cos) - (vector.East * sin), (vector.North * sin) + (vector.East * cos), vector.Down);
     }

@@ -47,7 +47,7 @@ internal sealed class Px4Sticks
         double roll = Part(message.Y);
         double throttle = Part((2 * message.Z) - 1000);
         double yaw = Part(message.R);
-        double seconds = _received is { } last ? (time - last).TotalSeconds : 0;
+        double seconds = _received is { } last ? (time - last).ExactSeconds : 0;
         if (seconds > 0 && seconds < MaxStepSeconds)
         {
             double change = Math.Max(
@@ -69,7 +69,7 @@ internal sealed class Px4Sticks
 
     /// <summary>Looks whether they are still received.</summary>
     public void Update(TimeSpan time, double lossSeconds)
-        => AreValid = _received is { } last && (time - last).TotalSeconds <= lossSeconds;
+        => AreValid = _received is { } last && (time - last).ExactSeconds <= lossSeconds;
 
     /// <summary>The highest speed of a stick since the last call, 1/s of its whole way from the middle.</summary>
     public double TakeSpeed()

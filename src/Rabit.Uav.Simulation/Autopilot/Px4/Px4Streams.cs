@@ -30,7 +30,7 @@ internal sealed class Px4Streams
     public Px4Streams()
     {
         foreach ((int messageId, double hertz) in Defaults)
-            _entries.Add(new Entry(messageId, TimeSpan.FromSeconds(1 / hertz)));
+            _entries.Add(new Entry(messageId, TimeSpan.OfSeconds(1 / hertz)));
     }
 
     /// <summary>SET_MESSAGE_INTERVAL: -1 switches off, 0 is the default.</summary>
@@ -44,7 +44,7 @@ internal sealed class Px4Streams
         if (intervalMicroseconds < 0)
             return MavResult.Accepted;
         TimeSpan interval = intervalMicroseconds > 0
-            ? TimeSpan.FromMilliseconds(Math.Min(intervalMicroseconds / 1000, 60_000))
+            ? TimeSpan.OfMilliseconds(Math.Min(intervalMicroseconds / 1000, 60_000))
             : DefaultOf(messageId);
         if (interval > TimeSpan.Zero)
             _entries.Add(new Entry(messageId, interval) { Due = now });
@@ -74,7 +74,7 @@ internal sealed class Px4Streams
         foreach ((int id, double hertz) in Defaults)
         {
             if (id == messageId)
-                return TimeSpan.FromSeconds(1 / hertz);
+                return TimeSpan.OfSeconds(1 / hertz);
         }
 
         return TimeSpan.Zero;

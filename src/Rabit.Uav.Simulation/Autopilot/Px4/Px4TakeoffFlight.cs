@@ -10,8 +10,8 @@ internal sealed class Px4TakeoffFlight : Px4Flight
     private const double RampAcceleration = 1.3;    // m/s2: MPC_TKO_RAMP_T
 
     // Recorded from arming: "takeoff detected" after 1.9 s (COM_SPOOLUP_TIME and the ramp), in the air after 2.9 s.
-    private static readonly TimeSpan Detected = TimeSpan.FromSeconds(1.9);
-    private static readonly TimeSpan Lifts = TimeSpan.FromSeconds(2.9);
+    private static readonly TimeSpan Detected = TimeSpan.OfSeconds(1.9);
+    private static readonly TimeSpan Lifts = TimeSpan.OfSeconds(2.9);
 
     private NedVector _place;
     private TimeSpan _start;

@@ -28,7 +28,7 @@ internal readonly struct ArdupilotOrigin(double latitudeDegE7, double longitudeD
     public static ArdupilotOrigin Of(in ReportedTarget ours, in PositionTargetLocalNed report)
     {
         double latitude = ours.LatitudeDegE7 - (report.X / MetresPerDegE7);
-        double scale = MetresPerDegE7 * Math.Cos((latitude + ours.LatitudeDegE7) / 2 * RadiansPerDegE7);
+        double scale = MetresPerDegE7 * Trig.Cos((latitude + ours.LatitudeDegE7) / 2 * RadiansPerDegE7);
         return new ArdupilotOrigin(
             latitude, ours.LongitudeDegE7 - (report.Y / scale), ours.AltitudeAmslMetres + report.Z);
     }
@@ -37,7 +37,7 @@ internal readonly struct ArdupilotOrigin(double latitudeDegE7, double longitudeD
     public double DistanceOf(in ReportedTarget ours, in PositionTargetLocalNed report)
     {
         double north = (ours.LatitudeDegE7 - _latitude) * MetresPerDegE7;
-        double scale = MetresPerDegE7 * Math.Cos((ours.LatitudeDegE7 + _latitude) / 2 * RadiansPerDegE7);
+        double scale = MetresPerDegE7 * Trig.Cos((ours.LatitudeDegE7 + _latitude) / 2 * RadiansPerDegE7);
         double east = Math.IEEERemainder(ours.LongitudeDegE7 - _longitude, TurnDegE7) * scale;
         double down = _altitude - ours.AltitudeAmslMetres;
         (double n, double e, double d) = (north - report.X, east - report.Y, down - report.Z);

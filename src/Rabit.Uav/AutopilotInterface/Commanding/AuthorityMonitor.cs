@@ -17,7 +17,7 @@ namespace Rabit.Uav.AutopilotInterface;
 internal sealed class AuthorityMonitor(bool mayCommand)
 {
     /// <summary>How long after an acknowledgement a report of the mode before has to be confirmed by another.</summary>
-    public static readonly TimeSpan ConfirmationTime = TimeSpan.FromSeconds(0.3);
+    public static readonly TimeSpan ConfirmationTime = TimeSpan.OfSeconds(0.3);
 
     // Reports that left the autopilot together confirm nothing; its main loop takes less than this.
     private static readonly TimeSpan MinConfirmationGap = TimeSpan.FromMilliseconds(20);

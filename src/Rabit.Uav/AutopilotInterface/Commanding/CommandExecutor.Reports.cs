@@ -10,7 +10,7 @@ internal sealed partial class CommandExecutor
 {
     private readonly ModeReportRequester _reports = new();
     // The manager wakes up each 0.2 s at least.
-    private static readonly TimeSpan MaxRunGap = TimeSpan.FromSeconds(0.35);
+    private static readonly TimeSpan MaxRunGap = TimeSpan.OfSeconds(0.35);
 
     private readonly FailsafeSigns _failsafes = new();
     private readonly CommandValidity _validity = new();

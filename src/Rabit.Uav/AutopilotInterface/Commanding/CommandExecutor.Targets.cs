@@ -12,10 +12,10 @@ internal sealed partial class CommandExecutor
     private const string OtherSetPoints = "another commander's set-points";
 
     // Reports of the mode before are not those of OFFBOARD.
-    private static readonly TimeSpan OffboardSettlingTime = TimeSpan.FromSeconds(0.6);
+    private static readonly TimeSpan OffboardSettlingTime = TimeSpan.OfSeconds(0.6);
 
     // By then it would have been answered.
-    private static readonly TimeSpan TargetAnswerTime = TimeSpan.FromSeconds(0.3);
+    private static readonly TimeSpan TargetAnswerTime = TimeSpan.OfSeconds(0.3);
 
     private readonly TargetMonitor _targets = new();
     private readonly SetPointMonitor _setPoints = new();

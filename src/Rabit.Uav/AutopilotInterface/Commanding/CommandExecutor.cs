@@ -16,10 +16,10 @@ internal sealed partial class CommandExecutor(bool mayCommand, bool mayCommandFi
     /// <summary>
     /// How long a report may take to show a mode whose command was accepted: three heartbeats, two of them lost.
     /// </summary>
-    public static readonly TimeSpan ModeTimeout = TimeSpan.FromSeconds(3.5);
+    public static readonly TimeSpan ModeTimeout = TimeSpan.OfSeconds(3.5);
 
     /// <summary>How long a text that says why may come after a refusal.</summary>
-    public static readonly TimeSpan ReasonWait = TimeSpan.FromSeconds(0.3);
+    public static readonly TimeSpan ReasonWait = TimeSpan.OfSeconds(0.3);
 
     // Modes, places and the like may be done twice, so that what is not answered is sent again. On the wire between
     // autopilot and companion nothing is doubled, so that what was answered need not be waited for: a command to hold
@@ -28,8 +28,8 @@ internal sealed partial class CommandExecutor(bool mayCommand, bool mayCommandFi
     {
         Rejections = 5,
         RetriesInProgress = true,
-        LateAnswerTime = TimeSpan.FromSeconds(0.7),
-        UnknownLateTime = TimeSpan.FromSeconds(0.7),
+        LateAnswerTime = TimeSpan.OfSeconds(0.7),
+        UnknownLateTime = TimeSpan.OfSeconds(0.7),
         AnswersMayBeDuplicated = false,
     };
 

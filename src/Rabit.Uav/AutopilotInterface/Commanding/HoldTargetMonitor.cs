@@ -16,7 +16,7 @@ namespace Rabit.Uav.AutopilotInterface;
 internal sealed class HoldTargetMonitor
 {
     // The place of the hold is reported from the next sample on; in a take-off the one before is reported until then.
-    private static readonly TimeSpan SettlingTime = TimeSpan.FromSeconds(0.6);
+    private static readonly TimeSpan SettlingTime = TimeSpan.OfSeconds(0.6);
 
     private const double MaxShiftMetres = 2;
 

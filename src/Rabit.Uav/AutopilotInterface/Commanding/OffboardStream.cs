@@ -27,10 +27,10 @@ internal sealed class OffboardStream
     public static readonly TimeSpan LeadTime = TimeSpan.FromSeconds(1);
 
     /// <summary>How old the last report of the mode may be where reports are asked for.</summary>
-    public static readonly TimeSpan MaxReportAge = TimeSpan.FromSeconds(0.5);
+    public static readonly TimeSpan MaxReportAge = TimeSpan.OfSeconds(0.5);
 
     /// <summary>The same where PX4 denies the requests: its heartbeats come once a second.</summary>
-    public static readonly TimeSpan MaxHeartbeatAge = TimeSpan.FromSeconds(1.5);
+    public static readonly TimeSpan MaxHeartbeatAge = TimeSpan.OfSeconds(1.5);
 
     // Position and velocity count; accelerations and the yaw rate do not.
     private const PositionTargetTypemask PositionAndVelocity = PositionTargetTypemask.AxIgnore
@@ -149,7 +149,7 @@ internal sealed class OffboardStream
         if (_due <= now)
             _due = now + Period;
         if (_leg is not null)
-            _trajectory.Advance((now - _sentAt).TotalSeconds, vehicle);
+            _trajectory.Advance((now - _sentAt).ExactSeconds, vehicle);
         else
             _trajectory.Reset(vehicle);
         _sentAt = now;

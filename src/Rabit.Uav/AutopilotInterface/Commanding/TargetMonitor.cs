@@ -18,7 +18,7 @@ namespace Rabit.Uav.AutopilotInterface;
 internal sealed class TargetMonitor
 {
     // How long a report of the target before may come after an acknowledgement: links may reorder.
-    private static readonly TimeSpan LateTime = TimeSpan.FromSeconds(0.6);
+    private static readonly TimeSpan LateTime = TimeSpan.OfSeconds(0.6);
 
     // Below it a target is the same: the message has float metres, ArduPilot rounds to centimetres, and a link of 4 Hz
     // leaves nothing else that differs.

@@ -15,7 +15,7 @@ internal sealed class VelocityStream
     public static readonly TimeSpan Period = TimeSpan.FromMilliseconds(200);
 
     /// <summary>After what time without a repetition it ends.</summary>
-    public static readonly TimeSpan DeadManTimeout = TimeSpan.FromSeconds(1.5);
+    public static readonly TimeSpan DeadManTimeout = TimeSpan.OfSeconds(1.5);
 
     private const PositionTargetTypemask VelocityOnly = PositionTargetTypemask.XIgnore | PositionTargetTypemask.YIgnore
         | PositionTargetTypemask.ZIgnore | PositionTargetTypemask.AxIgnore | PositionTargetTypemask.AyIgnore

@@ -17,7 +17,7 @@ internal sealed class LandingTargetEncoder
 {
     // Over which the velocity is taken to stay the same: at the few metres per second of a landing an error of 1 m/s2
     // is then 12 cm.
-    private static readonly TimeSpan MaxExtrapolation = TimeSpan.FromSeconds(0.5);
+    private static readonly TimeSpan MaxExtrapolation = TimeSpan.OfSeconds(0.5);
 
     private TimeSpan? _time;
     private NedVector _position;
@@ -73,7 +73,7 @@ internal sealed class LandingTargetEncoder
     {
         if (_time is not { } known || (target.Time - known).Duration() > MaxExtrapolation)
             return false;
-        NedVector vehicle = _position + ((target.Time - known).TotalSeconds * _velocity);
+        NedVector vehicle = _position + ((target.Time - known).ExactSeconds * _velocity);
         NedVector place = vehicle + target.OffsetNedMetres;
         message.Frame = MavFrame.LocalNed;
         (message.X, message.Y, message.Z) = ((float)place.North, (float)place.East, (float)place.Down);

@@ -77,20 +77,20 @@ internal sealed class AutopilotClock
         if (!_timesync.IsKnown(now))
             return ErrorOfArrivalSeconds;
         double ways = _timesync.ShortestRoundTripSeconds / 2;
-        double estimate = _timesync.OffsetErrorSecondsAt(now.TotalSeconds);
+        double estimate = _timesync.OffsetErrorSecondsAt(now.ExactSeconds);
         return Math.Sqrt((ways * ways / 3) + (estimate * estimate));
     }
 
     private TimeSpan ByTimesync(TimeSpan theirs, TimeSpan arrival)
         => new(
             (long)Math.Round(
-                (UnwrappedSeconds(theirs, arrival) - _timesync.OffsetSecondsAt(arrival.TotalSeconds))
+                (UnwrappedSeconds(theirs, arrival) - _timesync.OffsetSecondsAt(arrival.ExactSeconds))
                     * TimeSpan.TicksPerSecond));
 
     // The answers' clock has 64 bits.
     private double UnwrappedSeconds(TimeSpan theirs, TimeSpan arrival)
     {
-        double now = arrival.TotalSeconds + _timesync.OffsetSecondsAt(arrival.TotalSeconds);
-        return theirs.TotalSeconds + (Math.Round((now - theirs.TotalSeconds) / WrapSeconds) * WrapSeconds);
+        double now = arrival.ExactSeconds + _timesync.OffsetSecondsAt(arrival.ExactSeconds);
+        return theirs.ExactSeconds + (Math.Round((now - theirs.ExactSeconds) / WrapSeconds) * WrapSeconds);
     }
 }

@@ -158,7 +158,7 @@ internal sealed class LinkScheduler(SendBudget budget, int signatureBytes)
         BytesPerSecond = BytesPerSecond,
         BytesOut = _bytesOut,
         Waiting = Waiting,
-        RoundTripSeconds = _roundTrip.RoundTrip.TotalSeconds,
+        RoundTripSeconds = _roundTrip.RoundTrip.ExactSeconds,
         GrantedShare = _state.GrantedShare(now),
         Urgent = _counters[(int)SendClass.Urgent],
         Commands = _counters[(int)SendClass.Commands],
@@ -214,7 +214,7 @@ internal sealed class LinkScheduler(SendBudget budget, int signatureBytes)
 
     private void FillTokens(TimeSpan now)
     {
-        double filled = (now - _tokensAt).TotalSeconds * UrgentShare * BytesPerSecond;
+        double filled = (now - _tokensAt).ExactSeconds * UrgentShare * BytesPerSecond;
         (_urgentTokens, _tokensAt) = (Math.Min(budget.BurstBytes, _urgentTokens + filled), now);
     }
 

@@ -111,7 +111,7 @@ internal sealed class StateSlots
         foreach (KeyValuePair<ulong, Slot> slot in _slots)
         {
             bool isAlive = now - slot.Value.LastPut < Forgotten && slot.Value.AskedSeconds > 0;
-            double granted = Math.Max(slot.Value.GrantedSeconds, (now - slot.Value.LastSent).TotalSeconds);
+            double granted = Math.Max(slot.Value.GrantedSeconds, (now - slot.Value.LastSent).ExactSeconds);
             if (isAlive && slot.Value.IsPending && granted > slot.Value.AskedSeconds)
                 least = Math.Min(least, slot.Value.AskedSeconds / granted);
         }
@@ -133,7 +133,7 @@ internal sealed class StateSlots
     }
 
     private static double Mean(double mean, TimeSpan interval)
-        => mean == 0 ? interval.TotalSeconds : mean + (Weight * (interval.TotalSeconds - mean));
+        => mean == 0 ? interval.ExactSeconds : mean + (Weight * (interval.ExactSeconds - mean));
 
     private sealed class Slot
     {

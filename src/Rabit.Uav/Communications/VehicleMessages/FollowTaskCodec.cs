@@ -34,7 +34,7 @@ public sealed class FollowTaskCodec : IVehicleMessageCodec<FollowTask>
     {
         length = 0;
         int needed = NameOffset + content.Class.Length;
-        double ageMs = Math.Max(0, Math.Round((now - content.Time).TotalMilliseconds));
+        double ageMs = Math.Max(0, Math.Round((now - content.Time).ExactMilliseconds));
         if (destination.Length < needed || !IsValid(content) || !(ageMs <= MaxAgeMs))
             return false;
         destination[0] = content.Finder;
@@ -48,7 +48,7 @@ public sealed class FollowTaskCodec : IVehicleMessageCodec<FollowTask>
         WritePlace(destination.Slice(11), content);
         WriteAge(destination.Slice(25), (int)ageMs);
         BinaryPrimitives.WriteUInt16LittleEndian(
-            destination.Slice(28), (ushort)Math.Min(ushort.MaxValue, Math.Round(content.InView.TotalSeconds)));
+            destination.Slice(28), (ushort)Math.Min(ushort.MaxValue, Math.Round(content.InView.ExactSeconds)));
         BinaryPrimitives.WriteUInt16LittleEndian(destination.Slice(30), (ushort)(content.MarkerId ?? NoMarker));
         content.Class.CopyTo(destination.Slice(NameOffset));
         length = needed;
@@ -76,7 +76,7 @@ public sealed class FollowTaskCodec : IVehicleMessageCodec<FollowTask>
             Progress = (FollowProgress)((bytes[9] >> 2) & 3),
             Result = (FollowResult)(bytes[9] >> 4),
             Time = sentTime - TimeSpan.FromTicks(ReadAge(bytes.Slice(25)) * TimeSpan.TicksPerMillisecond),
-            InView = TimeSpan.FromSeconds(BinaryPrimitives.ReadUInt16LittleEndian(bytes.Slice(28))),
+            InView = TimeSpan.OfSeconds(BinaryPrimitives.ReadUInt16LittleEndian(bytes.Slice(28))),
             MarkerId = marker == NoMarker ? null : marker,
             Class = name,
         };

@@ -42,7 +42,7 @@ public sealed class GroupReportCodec : IVehicleMessageCodec<GroupReport>
         BinaryPrimitives.WriteInt32LittleEndian(
             destination.Slice(32), (int)Math.Round(content.SearchAltitudeAmslMetres * 100));
         BinaryPrimitives.WriteUInt16LittleEndian(destination.Slice(36), Limited(content.SpeedMetresPerSecond * 100));
-        BinaryPrimitives.WriteUInt16LittleEndian(destination.Slice(38), Limited(content.SearchTime.TotalSeconds));
+        BinaryPrimitives.WriteUInt16LittleEndian(destination.Slice(38), Limited(content.SearchTime.ExactSeconds));
         BinaryPrimitives.WriteUInt16LittleEndian(destination.Slice(40), Limited(content.MetresLeft));
         BinaryPrimitives.WriteUInt16LittleEndian(
             destination.Slice(42), (ushort)Math.Floor(content.SeenFraction * ushort.MaxValue));
@@ -67,7 +67,7 @@ public sealed class GroupReportCodec : IVehicleMessageCodec<GroupReport>
             LandingPlace = Read(bytes.Slice(20)),
             SearchAltitudeAmslMetres = BinaryPrimitives.ReadInt32LittleEndian(bytes.Slice(32)) / 100.0,
             SpeedMetresPerSecond = BinaryPrimitives.ReadUInt16LittleEndian(bytes.Slice(36)) / 100.0,
-            SearchTime = TimeSpan.FromSeconds(BinaryPrimitives.ReadUInt16LittleEndian(bytes.Slice(38))),
+            SearchTime = TimeSpan.OfSeconds(BinaryPrimitives.ReadUInt16LittleEndian(bytes.Slice(38))),
             MetresLeft = BinaryPrimitives.ReadUInt16LittleEndian(bytes.Slice(40)),
             SeenFraction = BinaryPrimitives.ReadUInt16LittleEndian(bytes.Slice(42)) / (double)ushort.MaxValue,
         };

@@ -48,7 +48,7 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
     public bool TryEncode(in TargetReport content, TimeSpan now, Span<byte> destination, out int length)
     {
         length = 0;
-        double ageMs = Math.Round((now - content.Time).TotalMilliseconds);
+        double ageMs = Math.Round((now - content.Time).ExactMilliseconds);
         int nameLength = content.Class.Length;
         bool fits = destination.Length >= NameOffset + nameLength
             && IsValid(content)
@@ -98,7 +98,7 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
             SourceSystemId = sourceSystemId,
             PictureNumber = BinaryPrimitives.ReadUInt32LittleEndian(bytes.Slice(4)),
             Index = bytes[2],
-            Time = sentTime - TimeSpan.FromMilliseconds(ageMs),
+            Time = sentTime - TimeSpan.OfMilliseconds(ageMs),
             Position = PlaceBytes.Read(
                 bytes.Slice(12), BinaryPrimitives.ReadInt32LittleEndian(bytes.Slice(20)) / 1000.0),
             Covariance = ReadCovariance(bytes.Slice(24)),

@@ -37,7 +37,7 @@ public sealed class TrackEstimateCodec : IVehicleMessageCodec<TrackEstimate>
     public bool TryEncode(in TrackEstimate content, TimeSpan now, Span<byte> destination, out int length)
     {
         length = 0;
-        double ageMs = Math.Max(0, Math.Round((now - content.Time).TotalMilliseconds));
+        double ageMs = Math.Max(0, Math.Round((now - content.Time).ExactMilliseconds));
         int needed = NameOffset + content.Class.Length;
         if (destination.Length < needed || !IsValid(content) || !(ageMs <= MaxAgeMs))
             return false;

@@ -16,7 +16,7 @@ internal sealed class TunnelRateLimiter(int bytesPerSecond)
     {
         if (now > _filledAt)
         {
-            _bytes = Math.Min(bytesPerSecond, _bytes + ((now - _filledAt).TotalSeconds * bytesPerSecond));
+            _bytes = Math.Min(bytesPerSecond, _bytes + ((now - _filledAt).ExactSeconds * bytesPerSecond));
             _filledAt = now;
         }
 

@@ -57,7 +57,7 @@ internal sealed class LinuxComputer(string directory, string root = "") : IReade
         status.CpuLoad = _loads.Update(_stat.Read(), out ByteArray8 cores);
         status.CoreLoads = cores;
         status.Uptime = KernelText.Number(_uptime.Read()) is { } seconds and >= 0 and < int.MaxValue
-            ? TimeSpan.FromSeconds(seconds)
+            ? TimeSpan.OfSeconds(seconds)
             : null;
         status.Throttling = Throttling();
         if (Memory() is { } memory)

@@ -51,12 +51,12 @@ public sealed class BiasOptions
     /// than their number.
     /// </summary>
     /// <value>The default is 0.5 s.</value>
-    public TimeSpan NoiseTime { get; set; } = TimeSpan.FromSeconds(0.5);
+    public TimeSpan NoiseTime { get; set; } = TimeSpan.OfSeconds(0.5);
 
     internal double[] Sigmas() =>
     [
         Mount.Radians, Mount.Radians, Mount.Radians, Attitude.Radians, Attitude.Radians, Heading.Radians,
-        Time.TotalSeconds, PositionMetres, PositionMetres, HeightMetres,
+        Time.ExactSeconds, PositionMetres, PositionMetres, HeightMetres,
     ];
 
     internal IEnumerable<string> FindFaults()
@@ -64,10 +64,10 @@ public sealed class BiasOptions
         (string Name, double Value)[] figures =
         [
             (nameof(Mount), Mount.Degrees), (nameof(Attitude), Attitude.Degrees), (nameof(Heading), Heading.Degrees),
-            (nameof(Time), Time.TotalSeconds), (nameof(PositionMetres), PositionMetres),
+            (nameof(Time), Time.ExactSeconds), (nameof(PositionMetres), PositionMetres),
             (nameof(HeightMetres), HeightMetres),
             (nameof(AttitudeNoise), AttitudeNoise.Degrees), (nameof(PositionNoiseMetres), PositionNoiseMetres),
-            (nameof(NoiseTime), NoiseTime.TotalSeconds),
+            (nameof(NoiseTime), NoiseTime.ExactSeconds),
         ];
         foreach ((string name, double value) in figures)
         {

@@ -42,7 +42,7 @@ internal sealed class BiasSystem
             last = Math.Max(last, points[i]);
         }
 
-        _weights = Weights(observations, options.NoiseTime.TotalSeconds);
+        _weights = Weights(observations, options.NoiseTime.ExactSeconds);
         _size = Biases + (2 * (last + 1));
         Values = new double[_size];
     }
@@ -98,7 +98,7 @@ internal sealed class BiasSystem
             double alike = 0;
             foreach (BiasObservation other in observations)
             {
-                double apart = Math.Abs((other.Time - observations[i].Time).TotalSeconds);
+                double apart = Math.Abs((other.Time - observations[i].Time).ExactSeconds);
                 alike += noiseSeconds > 0 ? Math.Exp(-apart / noiseSeconds) : apart == 0 ? 1 : 0;
             }
 

@@ -106,7 +106,7 @@ public sealed class TemplateTargetDetector : ITargetDetector
             return false;
         ObjectTemplate template = target.Template!;
         double determinant = (scale.NorthByColumn * scale.EastByRow) - (scale.NorthByRow * scale.EastByColumn);
-        (double cos, double sin) = (Math.Cos(match.HeadingRadians), Math.Sin(match.HeadingRadians));
+        (double cos, double sin) = (Trig.Cos(match.HeadingRadians), Trig.Sin(match.HeadingRadians));
 
         // Pixels for a metre along and across.
         double alongX = ((scale.EastByRow * cos) - (scale.NorthByRow * sin)) / determinant;

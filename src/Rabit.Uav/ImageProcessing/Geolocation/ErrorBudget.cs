@@ -88,7 +88,7 @@ public sealed class ErrorBudget
         [
             (nameof(AttitudeNoise), AttitudeNoise.Degrees), (nameof(HeadingNoise), HeadingNoise.Degrees),
             (nameof(PositionNoiseMetres), PositionNoiseMetres), (nameof(AltitudeNoiseMetres), AltitudeNoiseMetres),
-            (nameof(PixelNoise), PixelNoise), (nameof(TimeNoise), TimeNoise.TotalSeconds),
+            (nameof(PixelNoise), PixelNoise), (nameof(TimeNoise), TimeNoise.ExactSeconds),
             (nameof(AttitudeBias), AttitudeBias.Degrees), (nameof(HeadingBias), HeadingBias.Degrees),
             (nameof(MountBias), MountBias.Degrees), (nameof(FocalLengthBias), FocalLengthBias),
             (nameof(PositionBiasMetres), PositionBiasMetres),

@@ -177,7 +177,7 @@ internal readonly struct GroundProjection
     public TargetBearing? BearingOf(double column, double row, in TargetBearing seen, in GroundScale seenBy)
     {
         double determinant = (seenBy.NorthByColumn * seenBy.EastByRow) - (seenBy.NorthByRow * seenBy.EastByColumn);
-        (double north, double east) = (Math.Cos(seen.Angle.Radians), Math.Sin(seen.Angle.Radians));
+        (double north, double east) = (Trig.Cos(seen.Angle.Radians), Trig.Sin(seen.Angle.Radians));
         double dx = ((seenBy.EastByRow * north) - (seenBy.NorthByRow * east)) / determinant;
         double dy = ((seenBy.NorthByColumn * east) - (seenBy.EastByColumn * north)) / determinant;
         double length = Math.Sqrt((dx * dx) + (dy * dy)) / HalfAxisPixels;

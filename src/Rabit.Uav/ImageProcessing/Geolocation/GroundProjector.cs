@@ -51,7 +51,7 @@ internal sealed class GroundProjector
     /// <summary>Sets how wrong the time of the pictures from here on is, beside the budget.</summary>
     public void SetTimeNoise(TimeSpan ofPicture)
     {
-        (double budget, double picture) = (_budget.TimeNoise.TotalSeconds, ofPicture.TotalSeconds);
+        (double budget, double picture) = (_budget.TimeNoise.ExactSeconds, ofPicture.ExactSeconds);
         _random[(int)ViewingParameter.Time] = Math.Sqrt((budget * budget) + (picture * picture));
     }
 
@@ -120,7 +120,7 @@ internal sealed class GroundProjector
         sigmas[(int)ViewingParameter.Roll] = sigmas[(int)ViewingParameter.Pitch] = budget.AttitudeNoise.Radians;
         sigmas[(int)ViewingParameter.Yaw] = budget.HeadingNoise.Radians;
         sigmas[(int)ViewingParameter.Column] = sigmas[(int)ViewingParameter.Row] = budget.PixelNoise;
-        sigmas[(int)ViewingParameter.Time] = budget.TimeNoise.TotalSeconds;
+        sigmas[(int)ViewingParameter.Time] = budget.TimeNoise.ExactSeconds;
         return sigmas;
     }
 

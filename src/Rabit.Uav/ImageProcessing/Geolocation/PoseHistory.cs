@@ -26,7 +26,7 @@ internal sealed class PoseHistory(TimeSpan maxGap, bool usesGimbal = true)
     private static readonly TimeSpan MaxStep = TimeSpan.FromSeconds(2);
 
     // Gimbals report a few times a second, some only once.
-    private static readonly TimeSpan MaxGimbalGap = TimeSpan.FromSeconds(1.5);
+    private static readonly TimeSpan MaxGimbalGap = TimeSpan.OfSeconds(1.5);
     private static readonly TimeSpan MaxGimbalStep = TimeSpan.FromSeconds(5);
 
     private readonly TimedRing<PositionSample> _positions = new(PositionsKept, MaxStep);
@@ -46,7 +46,7 @@ internal sealed class PoseHistory(TimeSpan maxGap, bool usesGimbal = true)
 
     public void Add(in PoseSample sample)
     {
-        if (sample.TimeErrorSeconds >= 0 && sample.TimeErrorSeconds < MaxStep.TotalSeconds)
+        if (sample.TimeErrorSeconds >= 0 && sample.TimeErrorSeconds < MaxStep.ExactSeconds)
             _timeError = sample.TimeErrorSeconds;
         if (sample.Kind == PoseSampleKind.Position && IsValid(sample.Position))
             _positions.Add(
@@ -129,13 +129,13 @@ internal sealed class PoseHistory(TimeSpan maxGap, bool usesGimbal = true)
         pose.Position = position.Position;
         pose.VelocityNed = position.VelocityNed.IsFinite ? position.VelocityNed : default;
         pose.Attitude = Rotation.Identity;
-        pose = pose.After((time - positionTime).TotalSeconds);
-        double seconds = (time - attitudeTime).TotalSeconds;
+        pose = pose.After((time - positionTime).ExactSeconds);
+        double seconds = (time - attitudeTime).ExactSeconds;
         pose.Rates = Between(attitude.Rates, attitude.Rates, 0);
         pose.Attitude = attitude.Attitude.After(pose.Rates, seconds);
         pose.Time = time;
         pose.TimeErrorSeconds = _timeError;
-        pose.ExtrapolatedSeconds = beyond.TotalSeconds;
+        pose.ExtrapolatedSeconds = beyond.ExactSeconds;
         return true;
     }
 

@@ -78,7 +78,7 @@ internal sealed class TimedRing<T>(int capacity, TimeSpan longestStep)
         (TimeSpan beforeTime, TimeSpan afterTime) = (TimeAt(before), TimeAt(after));
         pair.Before = _values[Slot(before)];
         pair.After = _values[Slot(after)];
-        pair.Seconds = (afterTime - beforeTime).TotalSeconds;
+        pair.Seconds = (afterTime - beforeTime).ExactSeconds;
         pair.Part = before == after ? 0 : (time - beforeTime).Ticks / (double)(afterTime - beforeTime).Ticks;
         return afterTime - beforeTime > longestGap ? PoseLookup.Gap : PoseLookup.Known;
     }

@@ -98,7 +98,7 @@ internal sealed class LandingMarkerFinder
 
         // Two poses may fit alike, but their centres are nearly the same: what is unclear is how it is tilted.
         TimeSpan time = frame.MidExposure + _camera.ReadoutOf(marker.Corners.Centre.Y);
-        Pose pose = middle.After((time - middle.Time).TotalSeconds);
+        Pose pose = middle.After((time - middle.Time).ExactSeconds);
         if (!TryDirect(pose, command, out CameraExtrinsics camera))
             return NoDirection;
         (double forward, double right, double down) = camera.BodyFromCamera.Apply(marked.X, marked.Y, marked.Z);

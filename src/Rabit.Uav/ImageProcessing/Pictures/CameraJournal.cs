@@ -89,7 +89,7 @@ internal sealed class CameraJournal(string camera)
         return now - _refusedSince <= timeout
             ? null
             : FormattableString.Invariant(
-                $"it gave only pictures that cannot be used for {timeout.TotalSeconds} s ({reason})");
+                $"it gave only pictures that cannot be used for {timeout.ExactSeconds} s ({reason})");
     }
 
     /// <summary>Something keeps the camera from giving pictures.</summary>

@@ -172,7 +172,7 @@ internal static class CameraSourceDescription
             : default(TimeSpan?);
 
     private static TimeSpan ReadStall(JsonFields source, TimeSpan otherwise, List<string> faults)
-        => ReadNumber(source, Stall, 0.1, 600, faults) is { } seconds ? TimeSpan.FromSeconds(seconds) : otherwise;
+        => ReadNumber(source, Stall, 0.1, 600, faults) is { } seconds ? TimeSpan.OfSeconds(seconds) : otherwise;
 
     private static double? ReadNumber(JsonFields source, string name, double min, double max, List<string> faults)
     {

@@ -211,8 +211,8 @@ public sealed class FolderCamera : ICamera
     {
         if (picture.ExifNoise is not { } rounding)
             return _folder.TimeNoise;
-        double clock = _folder.TimeNoise.TotalSeconds;
-        double seconds = Math.Sqrt((clock * clock) + (rounding.TotalSeconds * rounding.TotalSeconds));
+        double clock = _folder.TimeNoise.ExactSeconds;
+        double seconds = Math.Sqrt((clock * clock) + (rounding.ExactSeconds * rounding.ExactSeconds));
         var noise = TimeSpan.FromTicks((long)(seconds * TimeSpan.TicksPerSecond));
         if (noise != _exifNoise)
             Volatile.Write(ref _timeSource, PictureTimeSource.Describe("EXIF of the pictures", _exifNoise = noise));
@@ -292,7 +292,7 @@ public sealed class FolderCamera : ICamera
         Interlocked.Increment(ref _ahead);
         TimeSpan ahead = RunTime(picture.Facts.StartUtcMicroseconds) - _context!.Now;
         Volatile.Write(ref _lastRefusal, FormattableString.Invariant(
-            $"{Path.Combine(_folder.Path, picture.File)}: its time is {ahead.TotalSeconds:0.0} s ahead of the clock"));
+            $"{Path.Combine(_folder.Path, picture.File)}: its time is {ahead.ExactSeconds:0.0} s ahead of the clock"));
     }
 
     private void Refuse(string reason)

@@ -31,7 +31,7 @@ internal sealed class LineLimit(Action<string> log)
         }
 
         if (held > 0)
-            log(FormattableString.Invariant($"{held} more lines in {Window.TotalSeconds} s, not shown"));
+            log(FormattableString.Invariant($"{held} more lines in {Window.ExactSeconds} s, not shown"));
         log(line);
     }
 }

@@ -15,11 +15,11 @@ internal static class PictureTimeSource
     /// <param name="origin">As "names of the files".</param>
     /// <param name="noise">One standard deviation.</param>
     public static string Describe(string origin, TimeSpan noise)
-        => FormattableString.Invariant($"{origin}, standard deviation {noise.TotalMilliseconds:0.###} ms");
+        => FormattableString.Invariant($"{origin}, standard deviation {noise.ExactMilliseconds:0.###} ms");
 
     /// <summary>Of pictures that are stamped when they arrive.</summary>
     /// <param name="latency">What is taken off.</param>
     /// <param name="noise">One standard deviation.</param>
     public static string OfArrival(TimeSpan latency, TimeSpan noise)
-        => Describe(FormattableString.Invariant($"arrival less {latency.TotalMilliseconds:0.###} ms"), noise);
+        => Describe(FormattableString.Invariant($"arrival less {latency.ExactMilliseconds:0.###} ms"), noise);
 }

@@ -77,7 +77,7 @@ public sealed partial class ProcessCamera
         _end = null;
         string fault = _journal.Fail(reason);
         TimeSpan delay = _delay.Begin(_context!.Now);
-        Log(FormattableString.Invariant($"{fault}; {next} in {delay.TotalSeconds} s"));
+        Log(FormattableString.Invariant($"{fault}; {next} in {delay.ExactSeconds} s"));
     }
 
     private void Log(string line)

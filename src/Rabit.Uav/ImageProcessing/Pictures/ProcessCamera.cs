@@ -170,7 +170,7 @@ public sealed partial class ProcessCamera : ICamera
         }
         else if (!_isStopping && _isStalled)
         {
-            string seconds = FormattableString.Invariant($"for {_options.StallTimeout.TotalSeconds} s");
+            string seconds = FormattableString.Invariant($"for {_options.StallTimeout.ExactSeconds} s");
             Fail(
                 _hasBytes
                     ? $"it wrote no whole picture {seconds}, only bytes that are none"
@@ -229,7 +229,7 @@ public sealed partial class ProcessCamera : ICamera
         if (_isStalled)
         {
             Fail(FormattableString.Invariant(
-                $"it wrote no metadata for {_options.StallTimeout.TotalSeconds} s"), "it is started again");
+                $"it wrote no metadata for {_options.StallTimeout.ExactSeconds} s"), "it is started again");
             return false;
         }
 

@@ -74,7 +74,7 @@ public sealed class ProcessCameraOptions
 
     /// <summary>The delay before it is started again; it doubles with each start that gives no picture.</summary>
     /// <value>The default is 0.5 s.</value>
-    public TimeSpan FirstRestartDelay { get; set; } = TimeSpan.FromSeconds(0.5);
+    public TimeSpan FirstRestartDelay { get; set; } = TimeSpan.OfSeconds(0.5);
 
     /// <summary>Where the doubling ends.</summary>
     /// <value>The default is 10 s.</value>
@@ -94,7 +94,7 @@ public sealed class ProcessCameraOptions
     /// <summary>
     /// How long an end of the program is no fault yet: what has ended it may be about to end this one, too.
     /// </summary>
-    internal TimeSpan EndGrace { get; set; } = TimeSpan.FromSeconds(0.5);
+    internal TimeSpan EndGrace { get; set; } = TimeSpan.OfSeconds(0.5);
 
     internal bool HasMetadata { get; private set; }
 
@@ -118,9 +118,9 @@ public sealed class ProcessCameraOptions
         {
             throw new ArgumentException(
                 FormattableString.Invariant($"The camera of {Program}: {nameof(TimeNoise)} is ")
-                    + FormattableString.Invariant($"{TimeNoise.TotalMilliseconds} ms; a time by arrival is not known ")
+                    + FormattableString.Invariant($"{TimeNoise.ExactMilliseconds} ms; a time by arrival is not known ")
                     + FormattableString.Invariant(
-                        $"better than to {PictureTimeSource.MinArrivalNoise.TotalMilliseconds} ms."),
+                        $"better than to {PictureTimeSource.MinArrivalNoise.ExactMilliseconds} ms."),
                 parameter);
         }
 

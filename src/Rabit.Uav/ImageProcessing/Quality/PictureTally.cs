@@ -7,7 +7,7 @@ namespace Rabit.Uav.ImageProcessing.Quality;
 internal sealed class PictureTally
 {
     // Three pictures at 2 Hz, or four where they come more slowly: one or two that are bad are no fault of the camera.
-    private static readonly TimeSpan Window = TimeSpan.FromSeconds(1.5);
+    private static readonly TimeSpan Window = TimeSpan.OfSeconds(1.5);
     private static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(10);
 
     private readonly PictureWindow _window = new(Window, MaxAge);

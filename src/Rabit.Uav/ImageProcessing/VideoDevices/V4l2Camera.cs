@@ -124,7 +124,7 @@ public sealed class V4l2Camera : ICamera
                 }
 
                 if (_context!.Now - _lastBuffer > _options.StallTimeout)
-                    Fail(FormattableString.Invariant($"it gave no picture for {_options.StallTimeout.TotalSeconds} s"));
+                    Fail(FormattableString.Invariant($"it gave no picture for {_options.StallTimeout.ExactSeconds} s"));
             }
             catch (VideoDeviceException e)
             {
@@ -175,7 +175,7 @@ public sealed class V4l2Camera : ICamera
         End();
         string fault = _journal.Fail(reason);
         TimeSpan delay = _delay.Begin(_context!.Now);
-        _journal.WriteLine(FormattableString.Invariant($"{fault}; it is opened again in {delay.TotalSeconds} s"));
+        _journal.WriteLine(FormattableString.Invariant($"{fault}; it is opened again in {delay.ExactSeconds} s"));
     }
 
     private void End()

@@ -74,7 +74,7 @@ public sealed class V4l2CameraOptions
 
     /// <summary>The delay before it is opened again; it doubles with each time that gives no picture.</summary>
     /// <value>The default is 0.5 s.</value>
-    public TimeSpan FirstRestartDelay { get; set; } = TimeSpan.FromSeconds(0.5);
+    public TimeSpan FirstRestartDelay { get; set; } = TimeSpan.OfSeconds(0.5);
 
     /// <summary>Where the doubling ends.</summary>
     /// <value>The default is 10 s.</value>

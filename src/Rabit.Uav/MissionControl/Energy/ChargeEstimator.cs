@@ -90,7 +90,7 @@ internal sealed class ChargeEstimator(EnergyOptions options)
     {
         if (vehicle.BatteryTime is not { } time || time == _time)
             return false;
-        double seconds = _time is { } last ? Math.Min((time - last).TotalSeconds, MaxStepSeconds) : 0;
+        double seconds = _time is { } last ? Math.Min((time - last).ExactSeconds, MaxStepSeconds) : 0;
         _time = time;
         if (vehicle.BatteryAmperes > 0)
             _drawn += vehicle.BatteryAmperes * seconds / 3600;

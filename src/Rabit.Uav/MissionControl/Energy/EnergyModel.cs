@@ -82,7 +82,7 @@ internal sealed class EnergyModel
             _options.MaxAirspeedMetresPerSecond, StartSeconds(flight));
         bool isEndless = double.IsInfinity(joules);
         _status.PlanCharge = _charge.FractionOf(joules, joules / seconds);
-        _status.PlanTime = isEndless ? TimeSpan.MaxValue : TimeSpan.FromSeconds(seconds);
+        _status.PlanTime = isEndless ? TimeSpan.MaxValue : TimeSpan.OfSeconds(seconds);
         if (!_charge.IsKnown || _status.PlanCharge + Mission.EnergyReserveFraction <= _charge.Left)
             return null;
         string wind = $"in a wind of {MissionNumbers.Of(_options.AssumedWindMetresPerSecond)} m/s";
@@ -96,7 +96,7 @@ internal sealed class EnergyModel
     private void Learn(in VehicleState vehicle, bool isFlying)
     {
         TimeSpan time = vehicle.BatteryTime!.Value;
-        double seconds = _sampleTime is { } last && isFlying ? (time - last).TotalSeconds : 0;
+        double seconds = _sampleTime is { } last && isFlying ? (time - last).ExactSeconds : 0;
         _sampleTime = time;
         if (!(seconds > 0))
         {
@@ -170,9 +170,9 @@ internal sealed class EnergyModel
         _status.IsKnown = !double.IsNaN(margin);
         _status.ChargeHome = home;
         _status.ChargeHomeDeviation = ofHome;
-        _status.TimeHome = double.IsInfinity(seconds) ? TimeSpan.MaxValue : TimeSpan.FromSeconds(seconds);
+        _status.TimeHome = double.IsInfinity(seconds) ? TimeSpan.MaxValue : TimeSpan.OfSeconds(seconds);
         double perSecond = _charge.FractionOf(_power.HoverWatts, _power.HoverWatts);
-        _status.TimeToReturn = margin > 0 ? TimeSpan.FromSeconds(margin / perSecond) : TimeSpan.Zero;
+        _status.TimeToReturn = margin > 0 ? TimeSpan.OfSeconds(margin / perSecond) : TimeSpan.Zero;
         _status.MustReturn = isFlying && margin <= 0;
         _status.IsHomeOutOfReach = isFlying
             && _charge.MaxLeft(Math.Max(DeviationsOutOfReach * ofLeft, MinDoubt)) < home

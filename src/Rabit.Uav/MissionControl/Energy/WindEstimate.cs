@@ -42,7 +42,7 @@ internal sealed class WindEstimate
         if (IsMeasured && time == _time)
             return;
         var wind = new PlanePoint(vehicle.WindVelocityNed.North, vehicle.WindVelocityNed.East);
-        double seconds = IsMeasured && _time is { } last ? (time - last).TotalSeconds : double.PositiveInfinity;
+        double seconds = IsMeasured && _time is { } last ? (time - last).ExactSeconds : double.PositiveInfinity;
         double part = double.IsInfinity(seconds) ? 1 : seconds / (MeanSeconds + seconds);
         Velocity += part * (wind - Velocity);
         (IsMeasured, _time, Latest) = (true, time, wind);

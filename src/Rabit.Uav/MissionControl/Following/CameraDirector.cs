@@ -15,7 +15,7 @@ internal sealed class CameraDirector(MissionFlight flight)
     private const double MinTurnRadians = 1 * Angle.RadiansPerDegree;
 
     // Pictures are refused of a gimbal that is silent for that long.
-    private static readonly TimeSpan MaxReportAge = TimeSpan.FromSeconds(1.5);
+    private static readonly TimeSpan MaxReportAge = TimeSpan.OfSeconds(1.5);
 
     private static readonly TimeSpan RetryAfter = TimeSpan.FromSeconds(1);
 

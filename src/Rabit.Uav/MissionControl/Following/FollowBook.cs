@@ -22,13 +22,13 @@ internal sealed class FollowBook(ushort session, IFollowSender sender, Action<st
 
     // After a partition it is known everywhere within 3 s who follows, also where 40 % is lost. Of many tasks each is
     // repeated less often, so that the radio is not filled.
-    private static readonly TimeSpan Repeat = TimeSpan.FromSeconds(0.5);
-    private static readonly TimeSpan RepeatOfEach = TimeSpan.FromSeconds(0.25);
+    private static readonly TimeSpan Repeat = TimeSpan.OfSeconds(0.5);
+    private static readonly TimeSpan RepeatOfEach = TimeSpan.OfSeconds(0.25);
 
     // To one that knows something older; several times, since that one does not answer.
     private const int AskedTimes = 3;
 
-    private static readonly TimeSpan AskedRepeat = TimeSpan.FromSeconds(0.2);
+    private static readonly TimeSpan AskedRepeat = TimeSpan.OfSeconds(0.2);
 
     private static readonly TimeSpan BidTime = TimeSpan.FromSeconds(2);
     private static readonly TimeSpan MaxSilence = TimeSpan.FromSeconds(6);

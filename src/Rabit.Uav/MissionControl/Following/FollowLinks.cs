@@ -99,7 +99,7 @@ internal sealed class FollowLinks(FollowBook book)
     private FollowEntry? Link(MissionFlight flight, TargetTrack track)
     {
         LocalNedFrame frame = flight.Plan!.Frame;
-        PlanePoint place = FollowMark.Of(track, flight).PlaceAt(flight.Now, MaxAge.TotalSeconds);
+        PlanePoint place = FollowMark.Of(track, flight).PlaceAt(flight.Now, MaxAge.ExactSeconds);
         if (_links.TryGetValue(track.Id, out FollowEntry? known))
         {
             // What was followed, or rejected, stays so, as long as its track goes on.
@@ -163,7 +163,7 @@ internal sealed class FollowLinks(FollowBook book)
                 || (!isOver && IsShownByAnother(entry, track, flight)))
                 continue;
             double distance = PlaceOf(entry, flight.Plan!.Frame, flight.Now).DistanceTo(place);
-            double seconds = Math.Max(0, (flight.Now - entry.Task.Time - MaxAge).TotalSeconds);
+            double seconds = Math.Max(0, (flight.Now - entry.Task.Time - MaxAge).ExactSeconds);
             double speed = isOver ? SpeedAfterwards(entry.Task) : TargetSpeeds.Of(track.Motion);
             double gone = Math.Min(GrowingSearch.MaxRadiusMetres, speed * seconds);
             if (distance <= SameMetres + RadiusOf(track) + RadiusOf(entry) + gone && distance < least)
@@ -230,7 +230,7 @@ internal sealed class FollowLinks(FollowBook book)
     private static bool IsFresh(FollowEntry entry, TimeSpan now) => now - entry.Task.Time <= MaxAge;
 
     private static PlanePoint PlaceOf(FollowEntry entry, LocalNedFrame frame, TimeSpan now)
-        => FollowMark.Of(entry.Task, frame).PlaceAt(now, MaxAge.TotalSeconds);
+        => FollowMark.Of(entry.Task, frame).PlaceAt(now, MaxAge.ExactSeconds);
 
     private static double RadiusOf(TargetTrack track)
         => Math.Min(MaxRadiusMetres, track.Covariance.HalfMajorAxis95Metres);

@@ -22,5 +22,5 @@ internal readonly record struct FollowMark(PlanePoint Place, PlanePoint Velocity
     /// <param name="now">The time.</param>
     /// <param name="maxSeconds">It is not taken to go on for longer.</param>
     public PlanePoint PlaceAt(TimeSpan now, double maxSeconds)
-        => Place + (Math.Min(maxSeconds, Math.Max(0, (now - Time).TotalSeconds)) * Velocity);
+        => Place + (Math.Min(maxSeconds, Math.Max(0, (now - Time).ExactSeconds)) * Velocity);
 }

@@ -45,7 +45,7 @@ internal sealed class GimbalPointing(GimbalFrame frame, double yawRadians)
             YawRadians = Math.IEEERemainder(YawRadians + Math.Max(-reach, Math.Min(reach, turn)), 2 * Math.PI);
         }
 
-        double ahead = (forward * Math.Cos(YawRadians)) + (right * Math.Sin(YawRadians));
+        double ahead = (forward * Trig.Cos(YawRadians)) + (right * Trig.Sin(YawRadians));
         PitchRadians = Math.Max(0, Math.Min(MaxTiltRadians, Math.Atan2(ahead, down))) - (Math.PI / 2);
     }
 
@@ -58,7 +58,7 @@ internal sealed class GimbalPointing(GimbalFrame frame, double yawRadians)
         }
 
         double yaw = frame == GimbalFrame.Heading ? attitude.ToEuler().Yaw.Radians : 0;
-        (double sin, double cos) = (Math.Sin(yaw), Math.Cos(yaw));
+        (double sin, double cos) = (Trig.Sin(yaw), Trig.Cos(yaw));
         return ((v.North * cos) + (v.East * sin), (v.East * cos) - (v.North * sin), v.Down);
     }
 }

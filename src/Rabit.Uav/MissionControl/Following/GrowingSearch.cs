@@ -44,7 +44,7 @@ internal sealed class GrowingSearch
     /// <summary>How far from the middle it may be.</summary>
     /// <param name="lost">For how long it was not seen.</param>
     public double RadiusMetres(TimeSpan lost)
-        => Math.Min(MaxRadiusMetres, StartRadiusMetres + (_speed * lost.TotalSeconds));
+        => Math.Min(MaxRadiusMetres, StartRadiusMetres + (_speed * lost.ExactSeconds));
 
     /// <summary>What is to be looked at next.</summary>
     /// <param name="seen">The middle of the picture now.</param>

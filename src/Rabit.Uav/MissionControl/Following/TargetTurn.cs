@@ -28,7 +28,7 @@ internal sealed class TargetTurn
     /// <summary>Takes the newest two of its states.</summary>
     public void Update(FollowMark before, FollowMark now)
     {
-        double seconds = (now.Time - before.Time).TotalSeconds;
+        double seconds = (now.Time - before.Time).ExactSeconds;
         if (seconds <= 0)
             return;
         if (seconds > MaxGapSeconds || Math.Min(before.Velocity.Length, now.Velocity.Length) < MinMetresPerSecond)
@@ -45,7 +45,7 @@ internal sealed class TargetTurn
     public PlanePoint PlaceAt(FollowMark mark, double seconds)
     {
         double half = RadiansPerSecond * seconds / 2;
-        double part = Math.Abs(half) > 1e-6 ? Math.Sin(half) / half : 1;
+        double part = Math.Abs(half) > 1e-6 ? Trig.Sin(half) / half : 1;
         double chord = mark.Velocity.Length * seconds * part;
         return mark.Place + (chord * PlanePoint.Towards(mark.Velocity.HeadingRadians + half));
     }

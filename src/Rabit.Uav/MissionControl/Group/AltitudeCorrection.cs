@@ -49,7 +49,7 @@ internal sealed class AltitudeCorrection
             && Math.Abs(vehicle.VelocityNed.Down) <= MaxClimbMetresPerSecond;
         if (!isUsable)
             return;
-        double step = _last is { } last ? Math.Min(MaxStepSeconds, (time - last).TotalSeconds) : MaxStepSeconds;
+        double step = _last is { } last ? Math.Min(MaxStepSeconds, (time - last).ExactSeconds) : MaxStepSeconds;
         _last = time;
         if (!(step > 0))
             return;

@@ -16,7 +16,7 @@ namespace Rabit.Uav.MissionControl;
 internal sealed class GroupDivision
 {
     // Others that are there already are received by then.
-    private static readonly TimeSpan FirstAfter = TimeSpan.FromSeconds(2.5);
+    private static readonly TimeSpan FirstAfter = TimeSpan.OfSeconds(2.5);
 
     private static readonly TimeSpan RepeatPeriod = TimeSpan.FromSeconds(2);
 
@@ -177,7 +177,7 @@ internal sealed class GroupDivision
 
     // Of its energy, when its lanes are flown; below zero it would leave some of them to the others, when it returns.
     private static double SpareSeconds(in GroupReport report)
-        => report.SearchTime.TotalSeconds - SecondsLeft(report);
+        => report.SearchTime.ExactSeconds - SecondsLeft(report);
 
     private void Set(byte author, ushort number, ImmutableArray<LaneShare> shares)
     {

@@ -47,7 +47,7 @@ public sealed class GroupOptions
 
     /// <summary>After what time without its report a vehicle counts as absent: its lanes are for others.</summary>
     /// <value>2 to 60 s. The default is 4.2 s: the fourth report that is missed, and some latency.</value>
-    public TimeSpan SilentAfter { get; set; } = TimeSpan.FromSeconds(4.2);
+    public TimeSpan SilentAfter { get; set; } = TimeSpan.OfSeconds(4.2);
 
     /// <summary>
     /// How long a vehicle that has flown its lanes waits for lanes of others at most, before it returns.

@@ -96,14 +96,14 @@ internal sealed class GroupSeparation(GroupMembers members)
     private static PlanePoint PlaceOf(MissionFlight flight, GroupTraffic traffic, double seconds)
     {
         NedPosition at = flight.Plan!.Frame.ToNed(traffic.Report.Position);
-        double t = Math.Max(0, (flight.Now - traffic.Time).TotalSeconds) + seconds;
+        double t = Math.Max(0, (flight.Now - traffic.Time).ExactSeconds) + seconds;
         return new PlanePoint(at.North + (traffic.Velocity.North * t), at.East + (traffic.Velocity.East * t));
     }
 
     private static SeparationConflict? Predict(
         MissionFlight flight, in GroupReport own, PlanePoint velocity, byte id, GroupTraffic traffic)
     {
-        double age = Math.Max(0, (flight.Now - traffic.Time).TotalSeconds);
+        double age = Math.Max(0, (flight.Now - traffic.Time).ExactSeconds);
         double above = traffic.Report.Position.AltitudeAmslMetres - own.Position.AltitudeAmslMetres;
         double sinks = IsInLayer(traffic.Report) && CanGiveWay(traffic.Report) ? 0 : traffic.Velocity.Down;
         for (double s = 0; s <= HorizonSeconds; s += StepSeconds)

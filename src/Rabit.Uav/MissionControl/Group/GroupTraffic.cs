@@ -39,7 +39,7 @@ internal sealed class GroupTraffic
             _kept.Dequeue();
         _kept.Enqueue((report.Position, time));
         (GeodeticPosition earlier, TimeSpan then) = _kept.Peek();
-        double seconds = (time - then).TotalSeconds;
+        double seconds = (time - then).ExactSeconds;
         if (seconds < MinBaseSeconds)
             return;
         NedPosition moved = LocalNedFrame.IgnoringGeoid(earlier).ToNed(report.Position);

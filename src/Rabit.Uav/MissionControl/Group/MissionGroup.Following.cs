@@ -163,7 +163,7 @@ internal sealed partial class MissionGroup
         if (CurrentFollow is not { Entry.Task: var task })
             return;
         PlanePoint expected = FollowMark.Of(task, flight.Plan!.Frame).PlaceAt(observation.Time, maxSeconds: 3);
-        double lost = Math.Max(0, (observation.Time - task.Time).TotalSeconds - 3);
+        double lost = Math.Max(0, (observation.Time - task.Time).ExactSeconds - 3);
         double radius = Math.Min(
             GrowingSearch.MaxRadiusMetres, OwnReportMetres + (TargetSpeeds.Of(MotionOf(task.Class)) * lost));
         foreach (TargetReport report in observation.Reports)
@@ -222,7 +222,7 @@ internal sealed partial class MissionGroup
             + (isBusy ? PassSeconds : 0);
         double then = entry.Task.Follower == 0 ? MinFollowSeconds : MinReliefSeconds;
         EnergyStatus energy = flight.Energy.Status;
-        bool isEnough = !energy.IsKnown || energy.TimeToReturn.TotalSeconds > seconds + then + ReserveSeconds;
+        bool isEnough = !energy.IsKnown || energy.TimeToReturn.ExactSeconds > seconds + then + ReserveSeconds;
         return isEnough && IsWithinBudget(flight, entry, place) && RevisitPass.Plan(flight, place) is not null
             ? seconds
             : null;

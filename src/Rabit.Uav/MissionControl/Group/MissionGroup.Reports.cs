@@ -29,7 +29,7 @@ internal sealed partial class MissionGroup
             LandingPlace = landing,
             SearchAltitudeAmslMetres = landing.AltitudeAmslMetres + flight.Mission.HeightMetres,
             SpeedMetresPerSecond = flight.Mission.SpeedMetresPerSecond,
-            SearchTime = energy.IsKnown ? energy.TimeToReturn : TimeSpan.FromSeconds(UnlimitedSeconds),
+            SearchTime = energy.IsKnown ? energy.TimeToReturn : TimeSpan.OfSeconds(UnlimitedSeconds),
             MetresLeft = _doneSince is null ? flight.Route?.MetresLeft ?? 0 : 0,
             SeenFraction = flight.Route?.Coverage.Fraction ?? 0,
             DivisionAuthor = _division.Author,

@@ -110,7 +110,7 @@ internal sealed partial class MissionGroup
         double seconds = MetresTo(flight, place) / flight.Mission.SpeedMetresPerSecond;
         EnergyStatus energy = flight.Energy.Status;
         bool isEnough = !energy.IsKnown
-            || energy.TimeToReturn.TotalSeconds > seconds + PassSeconds + ReserveSeconds;
+            || energy.TimeToReturn.ExactSeconds > seconds + PassSeconds + ReserveSeconds;
         return isEnough && RevisitPass.Plan(flight, place) is not null ? seconds : null;
     }
 

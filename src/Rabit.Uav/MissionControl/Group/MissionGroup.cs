@@ -209,7 +209,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
     private bool HasEnergyToTakeOver(MissionFlight flight)
     {
         EnergyStatus energy = flight.Energy.Status;
-        bool isSpent = energy.IsKnown && energy.TimeToReturn.TotalSeconds < MinFollowSeconds + ReserveSeconds;
+        bool isSpent = energy.IsKnown && energy.TimeToReturn.ExactSeconds < MinFollowSeconds + ReserveSeconds;
         if (isSpent && !_isSpent)
             flight.Log("our lanes are flown, and too little is left to take anything over");
         return !(_isSpent |= isSpent);
@@ -343,7 +343,7 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         double seen = seenToEachSidePerHeight * height;
         return new LaneDivider.Member(
             member.SystemId, PlaceOf(flight, report.Position), report.SpeedMetresPerSecond,
-            report.SearchTime.TotalSeconds, landing, (climb / ClimbMetresPerSecond) + (height / SinkMetresPerSecond),
+            report.SearchTime.ExactSeconds, landing, (climb / ClimbMetresPerSecond) + (height / SinkMetresPerSecond),
             LaneThinning.LanesPerPass(seen, flight.Mission.LaneSpacingMetres));
     }
 

@@ -150,7 +150,7 @@ internal sealed class SearchRegion
             if (!(turn > 1e-9))
                 continue;
             int steps = (int)Math.Ceiling(turn / StepRadians);
-            double reach = 1.001 * ClearanceMetres / Math.Cos(turn / steps / 2);
+            double reach = 1.001 * ClearanceMetres / Trig.Cos(turn / steps / 2);
             for (int k = 0; k < steps; k++)
             {
                 double along = turn * ((k + 0.5) / steps);

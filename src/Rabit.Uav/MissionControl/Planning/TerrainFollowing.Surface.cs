@@ -86,7 +86,7 @@ internal sealed partial class TerrainFollowing
 
     private double PostMetres()
         => MetresPerDegree * Math.Min(
-            _terrain.LatitudeStep.Degrees, _terrain.LongitudeStep.Degrees * Math.Cos(_frame.Origin.Latitude.Radians));
+            _terrain.LatitudeStep.Degrees, _terrain.LongitudeStep.Degrees * Trig.Cos(_frame.Origin.Latitude.Radians));
 
     private string FaultAt(PlanePoint at)
     {

@@ -141,7 +141,7 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
         bool isOver = follower.Tick(flight) || isLate;
         bool isEnough = follower.InView >= flight.Mission.Revisit.FollowTime;
         string inView = (follower.IsRejected ? "rejected by the operator, " : isEnough ? "followed, " : "lost, ")
-            + $"{MissionNumbers.Of((int)follower.InView.TotalSeconds)} s in view";
+            + $"{MissionNumbers.Of((int)follower.InView.ExactSeconds)} s in view";
         if (_task is { } task)
             return FollowForGroup(flight, follower, task, isOver, isEnough, inView);
         _track = _tracked!.TrackId;

@@ -11,7 +11,7 @@ namespace Rabit.Uav.MissionControl;
 internal sealed class SearchingState : MissionState
 {
     // The last pictures of a lane are still being processed.
-    private static readonly TimeSpan ProcessingTime = TimeSpan.FromSeconds(1.5);
+    private static readonly TimeSpan ProcessingTime = TimeSpan.OfSeconds(1.5);
 
     private readonly PathFollower _path = new();
     private readonly FixedWingFollower _wing = new();

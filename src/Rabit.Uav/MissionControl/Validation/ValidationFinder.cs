@@ -20,7 +20,7 @@ internal sealed class ValidationFinder(ushort session, IValidationSender sender,
     private const int MaxActive = 3;
 
     // After a partition a vehicle whose award was withdrawn drops it within 3 s, also where 40 % is lost.
-    private static readonly TimeSpan AwardedRepeat = TimeSpan.FromSeconds(0.5);
+    private static readonly TimeSpan AwardedRepeat = TimeSpan.OfSeconds(0.5);
 
     private static readonly TimeSpan Repeat = TimeSpan.FromSeconds(1);
     private static readonly TimeSpan BidTime = TimeSpan.FromSeconds(2);

@@ -83,7 +83,7 @@ internal sealed class EstimateFusion
         double variance = Math.Max(own.NorthNorth, own.EastEast)
             + Math.Max(estimate.Covariance[0], estimate.Covariance[10]);
         double reach = (MaxDeviation * Math.Sqrt(variance))
-            + (MaxSpeed * Math.Abs((estimate.Time - track.LastSeen).TotalSeconds));
+            + (MaxSpeed * Math.Abs((estimate.Time - track.LastSeen).ExactSeconds));
         return Math.Abs(estimate.State[0] - here.North) > reach || Math.Abs(estimate.State[2] - here.East) > reach;
     }
 

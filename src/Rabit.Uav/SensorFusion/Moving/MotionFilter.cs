@@ -122,7 +122,7 @@ internal sealed class MotionFilter
     /// <summary>Goes on to a time; back to an earlier one only to compare, not to take measurements in.</summary>
     public void PredictTo(TimeSpan time)
     {
-        double seconds = (time - Time).TotalSeconds;
+        double seconds = (time - Time).ExactSeconds;
         if (_model.Modes == 2 && seconds > 0)
             Mix(seconds);
         for (int mode = 0; mode < _model.Modes; mode++)

@@ -141,7 +141,7 @@ internal sealed partial class MovingTracker
 
     private void Expect(in Scan scan, HorizontalCovariance registration)
     {
-        double seconds = _time is { } before ? Math.Max(0, (scan.Time - before).TotalSeconds) : 0;
+        double seconds = _time is { } before ? Math.Max(0, (scan.Time - before).ExactSeconds) : 0;
         var step = new ExistenceStep(_settings, seconds);
         if (_time is null || scan.Time > _time)
             _time = scan.Time;

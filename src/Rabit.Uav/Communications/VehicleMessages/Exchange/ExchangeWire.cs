@@ -67,7 +67,7 @@ internal static class ExchangeWire
 
     /// <summary>1 to 254 ms; 255 is worse than that, 0 no common time.</summary>
     public static byte AccuracyByte(TimeSpan? accuracy)
-        => accuracy is { } time ? (byte)Math.Min(255, Math.Max(1, Math.Ceiling(time.TotalMilliseconds))) : (byte)0;
+        => accuracy is { } time ? (byte)Math.Min(255, Math.Max(1, Math.Ceiling(time.ExactMilliseconds))) : (byte)0;
 
     public static TimeSpan? AccuracyOf(byte accuracy)
         => accuracy == 0 ? null : TimeSpan.FromTicks(accuracy * TimeSpan.TicksPerMillisecond);
@@ -198,7 +198,7 @@ internal static class ExchangeWire
     /// <returns>False where that has ended.</returns>
     public static bool TryAge(Span<byte> fragment, TimeSpan age)
     {
-        int ms = (int)Math.Ceiling(age.TotalMilliseconds);
+        int ms = (int)Math.Ceiling(age.ExactMilliseconds);
         int left = Read24(fragment.Slice(LifetimeOffset)) - ms;
         if (left <= 0)
             return false;

@@ -57,7 +57,7 @@ internal sealed class GpsTimeBase
         long best = _previous is { } previous && previous > offset ? previous : offset;
         utcMicroseconds = Microseconds(now) + best;
         TimeSpan late = lateBy ?? TimeSpan.FromTicks(50 * TimeSpan.TicksPerMillisecond);
-        double age = (now - _periodStart + Period).TotalSeconds;
+        double age = (now - _periodStart + Period).ExactSeconds;
         accuracy = MinError + late + TimeSpan.FromTicks((long)(age * Drift * TimeSpan.TicksPerSecond));
         return true;
     }

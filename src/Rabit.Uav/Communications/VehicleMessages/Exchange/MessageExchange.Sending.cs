@@ -85,8 +85,8 @@ internal sealed partial class MessageExchange
             Index = (byte)index,
             Count = (byte)outgoing.Count,
             Accuracy = outgoing.Accuracy,
-            LifetimeMs = (int)Math.Max(1, (outgoing.Deadline - now).TotalMilliseconds),
-            AgeMs = (int)Math.Round((now - outgoing.PostedAt).TotalMilliseconds),
+            LifetimeMs = (int)Math.Max(1, (outgoing.Deadline - now).ExactMilliseconds),
+            AgeMs = (int)Math.Round((now - outgoing.PostedAt).ExactMilliseconds),
             SentUtcMicroseconds = outgoing.SentUtcMicroseconds,
         };
         int start = index * ExchangeWire.FragmentLength;

@@ -18,7 +18,7 @@ internal sealed class RoundTripTime
 
     public void Note(TimeSpan measured)
     {
-        double seconds = measured.TotalSeconds;
+        double seconds = measured.ExactSeconds;
         if (_mean == 0)
         {
             (_mean, _deviation) = (seconds, seconds / 2);
