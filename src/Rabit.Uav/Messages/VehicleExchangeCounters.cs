@@ -20,7 +20,8 @@ public struct VehicleExchangeCounters
 
     /// <summary>
     /// Copies of fragments, acknowledgements and announcements that did not go to a link that had no room, while they
-    /// went to another; of messages that are not acknowledged only where the link had none for their whole lifetime.
+    /// went to another; of messages that are not acknowledged, of what is sent on and of announcements only where the
+    /// link had none for their whole lifetime, or until the next announcement.
     /// </summary>
     public long CopiesHeldBack { get; set; }
 

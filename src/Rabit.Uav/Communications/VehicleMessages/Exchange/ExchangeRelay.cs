@@ -4,23 +4,32 @@ using System.Collections.Generic;
 namespace Rabit.Uav.Communications;
 
 /// <summary>
-/// What of others is to be sent on. Each datagram once, after a short wait that differs between vehicles, so that two
-/// of
-/// them do not speak at once; again only when its sender sends it again. Bounded. One thread.
+/// What of others is to be sent on. Each datagram once over each open link, after a short wait that differs between
+/// vehicles, so that two of them do not speak at once; again only when its sender sends it again. A link without room
+/// has it when it has some, unless the datagram is too old by then. Bounded. One thread.
 /// </summary>
-internal sealed class ExchangeRelay(ExchangeRandom random)
+/// <param name="random">The waits.</param>
+/// <param name="roomFor">Over which links a datagram of a class goes now.</param>
+internal sealed class ExchangeRelay(ExchangeRandom random, Func<VehicleMessageClass, LinkRoom> roomFor)
 {
     private const int MaxWaiting = 64;
     private const int MaxKnown = 1024;
 
     // Shorter than any time-out of a sender, longer than the ways that a copy may take.
     private static readonly TimeSpan Known = TimeSpan.FromTicks(300 * TimeSpan.TicksPerMillisecond);
+
+    // Acknowledgements and announcements, which have no lifetime, are sent anew by then.
+    private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(2);
+
     private const int MinWaitMs = 5;
     private const int MaxWaitMs = 40;
 
     private readonly Dictionary<long, TimeSpan> _known = [];
     private readonly List<long> _old = [];
     private readonly List<Waiting> _waiting = [];
+
+    /// <summary>Copies that links without room did not get, while others did.</summary>
+    public long CopiesHeldBack { get; private set; }
 
     public TimeSpan NextDue
     {
@@ -42,7 +51,9 @@ internal sealed class ExchangeRelay(ExchangeRandom random)
         long key, ReadOnlySpan<byte> datagram, byte hops, ExchangeKind kind, VehicleMessageClass messageClass,
         TimeSpan now)
     {
-        if ((_known.TryGetValue(key, out TimeSpan last) && now - last < Known) || _waiting.Count == MaxWaiting)
+        if (_known.TryGetValue(key, out TimeSpan last) && now - last < Known)
+            return false;
+        if (_waiting.Count == MaxWaiting && !MakeRoom())
             return false;
         if (_known.Count == MaxKnown)
             Forget(now);
@@ -61,24 +72,63 @@ internal sealed class ExchangeRelay(ExchangeRandom random)
         return true;
     }
 
-    /// <summary>Writes the next one that is due; a fragment whose life ended meanwhile is dropped.</summary>
-    public bool TryTake(TimeSpan now, Span<byte> to, out ExchangeDatagram datagram)
+    /// <summary>Writes the next one that is due where a link has room for it; what is too old is dropped.</summary>
+    /// <param name="now">The time.</param>
+    /// <param name="to">Where it goes.</param>
+    /// <param name="datagram">Its length, and over which links.</param>
+    /// <param name="isCopy">Whether it went over another link before.</param>
+    public bool TryTake(TimeSpan now, Span<byte> to, out ExchangeDatagram datagram, out bool isCopy)
     {
-        datagram = default;
+        (datagram, isCopy) = (default, false);
         for (int i = 0; i < _waiting.Count; i++)
         {
             Waiting waiting = _waiting[i];
             if (waiting.Due > now)
                 continue;
-            _waiting.RemoveAt(i--);
-            if (waiting.Kind == ExchangeKind.Fragment && !ExchangeWire.TryAge(waiting.Bytes, now - waiting.CameAt))
+            LinkRoom room = roomFor(waiting.Class);
+            if (room.IsCarried(waiting.Carried) || !TryWrite(waiting, now, to))
+            {
+                End(i--, room);
                 continue;
-            waiting.Bytes.CopyTo(to);
-            datagram = new ExchangeDatagram { Length = waiting.Bytes.Length, Class = waiting.Class };
+            }
+
+            ulong links = room.Left(waiting.Carried);
+            if (links == 0)
+                continue;
+            datagram = new ExchangeDatagram { Length = waiting.Bytes.Length, Class = waiting.Class, Links = links };
+            isCopy = waiting.Carried != 0;
+            waiting.Carried |= links;
+            if (room.IsCarried(waiting.Carried))
+                _waiting.RemoveAt(i);
             return true;
         }
 
         return false;
+    }
+
+    // False where it is too old.
+    private static bool TryWrite(Waiting waiting, TimeSpan now, Span<byte> to)
+    {
+        waiting.Bytes.CopyTo(to);
+        TimeSpan waited = now - waiting.CameAt;
+        return waiting.Kind == ExchangeKind.Fragment ? ExchangeWire.TryAge(to, waited) : waited <= MaxWait;
+    }
+
+    private void End(int index, LinkRoom room)
+    {
+        if (_waiting[index].Carried != 0)
+            CopiesHeldBack += room.Missed(_waiting[index].Carried);
+        _waiting.RemoveAt(index);
+    }
+
+    // The oldest that went over a link already gives way: one link must not keep what is new from the others.
+    private bool MakeRoom()
+    {
+        int index = _waiting.FindIndex(w => w.Carried != 0);
+        if (index < 0)
+            return false;
+        End(index, roomFor(_waiting[index].Class));
+        return true;
     }
 
     private void Forget(TimeSpan now)
@@ -107,5 +157,8 @@ internal sealed class ExchangeRelay(ExchangeRandom random)
         public TimeSpan CameAt { get; init; }
 
         public TimeSpan Due { get; init; }
+
+        /// <summary>The links that it went over.</summary>
+        public ulong Carried { get; set; }
     }
 }

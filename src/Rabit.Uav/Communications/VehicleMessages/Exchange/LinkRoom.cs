@@ -13,4 +13,13 @@ internal readonly record struct LinkRoom(ulong Wanted, ulong Free)
 
     /// <summary>Whether each link has carried it.</summary>
     public bool IsCarried(ulong carried) => carried != 0 && (Wanted & ~carried) == 0;
+
+    /// <summary>How many links did not carry it.</summary>
+    public int Missed(ulong carried)
+    {
+        int links = 0;
+        for (ulong missed = Wanted & ~carried; missed != 0; missed &= missed - 1)
+            links++;
+        return links;
+    }
 }

@@ -20,9 +20,10 @@ internal sealed partial class MessageExchange
             return false;
         if (TryAcknowledge(now, to, out datagram))
             return true;
-        if (HasRoom(0, VehicleMessageClass.Coordination) && _relay.TryTake(now, to, out datagram))
+        if (_relay.TryTake(now, to, out datagram, out bool isCopy))
         {
-            _counters.Relayed++;
+            if (!isCopy)
+                _counters.Relayed++;
             return true;
         }
 
@@ -33,6 +34,8 @@ internal sealed partial class MessageExchange
     public TimeSpan NextDue(TimeSpan now)
     {
         TimeSpan due = _announces ? Earlier(_nextAnnouncement, _relay.NextDue) : _relay.NextDue;
+        if (IsAnnouncementMissing(Room(0, VehicleMessageClass.Coordination)))
+            due = Earlier(due, now);
         foreach (OutgoingExchange outgoing in _outgoing)
         {
             outgoing.TryNext(now, _roundTrip, RoomFor(outgoing), out _, out TimeSpan next);
@@ -123,11 +126,36 @@ internal sealed partial class MessageExchange
     private bool TryAnnounce(TimeSpan now, Span<byte> to, out ExchangeDatagram datagram)
     {
         datagram = default;
-        if (now < _nextAnnouncement || !_announces || !HasRoom(0, VehicleMessageClass.Coordination))
+        if (!_announces)
             return false;
+        LinkRoom room = Room(0, VehicleMessageClass.Coordination);
+        if (now >= _nextAnnouncement && room.Free != 0)
+            Announce(now, room);
+        ulong links = room.Left(_announcedOver);
+        if (links == 0 || _lastAnnouncement is null)
+            return false;
+        _announcedOver |= links;
+        datagram = new ExchangeDatagram
+        {
+            Length = ExchangeWire.Write(to, _announcement),
+            Class = VehicleMessageClass.Coordination,
+            Links = links,
+        };
+        return true;
+    }
+
+    // A link that is open and had no room for it.
+    private bool IsAnnouncementMissing(LinkRoom room)
+        => _lastAnnouncement is not null && !room.IsCarried(_announcedOver);
+
+    private void Announce(TimeSpan now, LinkRoom room)
+    {
+        if (_lastAnnouncement is not null)
+            _counters.CopiesHeldBack += room.Missed(_announcedOver);
         (_nextAnnouncement, _lastAnnouncement) = (now + _options.AnnouncementPeriod, now);
+        _announcedOver = 0;
         bool isDated = TryGetGpsTime(now, out _, out TimeSpan accuracy);
-        var announcement = new ExchangeAnnouncement
+        _announcement = new ExchangeAnnouncement
         {
             Source = SystemId,
             Groups = _groups,
@@ -136,12 +164,6 @@ internal sealed partial class MessageExchange
             Hops = ExchangeWire.Hops(_options.AnnouncementHops, _options.AnnouncementHops),
             Session = _session,
         };
-        datagram = new ExchangeDatagram
-        {
-            Length = ExchangeWire.Write(to, announcement),
-            Class = VehicleMessageClass.Coordination,
-        };
-        return true;
     }
 
     private static TimeSpan Earlier(TimeSpan left, TimeSpan right) => left < right ? left : right;

@@ -40,6 +40,8 @@ internal sealed partial class MessageExchange
     private TimeSpan? _timeLateBy;
     private TimeSpan _nextAnnouncement;
     private TimeSpan? _lastAnnouncement;
+    private ExchangeAnnouncement _announcement; // the last one
+    private ulong _announcedOver; // the links that it went over
     private ushort _announcements;
     private ushort _numbers;
     private byte _systemId;
@@ -58,7 +60,7 @@ internal sealed partial class MessageExchange
         _announces = options.Announces != false;
         _session = (ushort)random.Next(65536);
         _groups = _options.GroupBits;
-        _relay = new ExchangeRelay(random);
+        _relay = new ExchangeRelay(random, messageClass => Room(0, messageClass));
     }
 
     /// <summary>Our system id; 0 where it is not known yet.</summary>
@@ -73,7 +75,15 @@ internal sealed partial class MessageExchange
         }
     }
 
-    public VehicleExchangeCounters Counters => _counters;
+    public VehicleExchangeCounters Counters
+    {
+        get
+        {
+            VehicleExchangeCounters counters = _counters;
+            counters.CopiesHeldBack += _relay.CopiesHeldBack;
+            return counters;
+        }
+    }
 
     /// <summary>Messages of ours that are not over.</summary>
     public int Waiting => _outgoing.Count;

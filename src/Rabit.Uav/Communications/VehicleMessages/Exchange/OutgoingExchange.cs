@@ -91,13 +91,10 @@ internal sealed class OutgoingExchange
     /// <summary>Over how many links a part of it did not go.</summary>
     public int LinksMissed(LinkRoom room)
     {
-        ulong missed = 0;
+        ulong all = ulong.MaxValue;
         foreach (ulong carried in _carried)
-            missed |= room.Wanted & ~carried;
-        int links = 0;
-        for (; missed != 0; missed &= missed - 1)
-            links++;
-        return links;
+            all &= carried;
+        return room.Missed(all);
     }
 
     /// <summary>Whether a fragment went over another link, and is only copied to more of them.</summary>
