@@ -10,7 +10,7 @@ namespace Rabit.Uav.Tests;
 public sealed class ExactNumbersTests
 {
     private const int Many = 100_000;
-    private const long LongestTicks = 36_000_000_000; // an hour
+    private const long MaxTicks = 36_000_000_000; // an hour
 
     [Fact]
     public void Numbers_OfManyDurations_AreTheSameToTheBitOnEachRuntime()
@@ -20,7 +20,7 @@ public sealed class ExactNumbersTests
         for (int i = 0; i < Many; i++)
         {
             double part = Next(ref state) / (double)(1L << 53);
-            var time = TimeSpan.FromTicks((long)(part * LongestTicks));
+            var time = TimeSpan.FromTicks((long)(part * MaxTicks));
             Add(ref hash, BitConverter.DoubleToInt64Bits(time.ExactSeconds));
             Add(ref hash, BitConverter.DoubleToInt64Bits(time.ExactMilliseconds));
             Add(ref hash, TimeSpan.OfSeconds(part * 1000).Ticks);
@@ -38,7 +38,7 @@ public sealed class ExactNumbersTests
         for (int i = 0; i < Many; i++)
         {
             double part = Next(ref state) / (double)(1L << 53);
-            var time = TimeSpan.FromTicks((long)(part * LongestTicks));
+            var time = TimeSpan.FromTicks((long)(part * MaxTicks));
             Assert.Equal(time.TotalSeconds, time.ExactSeconds);
             Assert.Equal(time.TotalMilliseconds, time.ExactMilliseconds);
             Assert.Equal(TimeSpan.FromSeconds(part * 1000), TimeSpan.OfSeconds(part * 1000));

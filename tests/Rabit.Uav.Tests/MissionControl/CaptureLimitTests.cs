@@ -29,10 +29,10 @@ public sealed class CaptureLimitTests
     [InlineData(8, 2, 12.6)]
     public void Capture_CarThatComesTheOtherWay_IsOutOfThePictureForThatLong(
         double carSpeed, double confirmedAfter, double seconds)
-        => Assert.Equal(seconds, LongestOutOfView(carSpeed, confirmedAfter), 0.06);
+        => Assert.Equal(seconds, SecondsOutOfView(carSpeed, confirmedAfter), 0.06);
 
     // Along the first way of the vehicle: it enters the picture ahead, and goes towards negative places.
-    private static double LongestOutOfView(double carSpeed, double confirmedAfter)
+    private static double SecondsOutOfView(double carSpeed, double confirmedAfter)
     {
         (double car, double velocity) = (HalfPictureMetres, SearchSpeed);
         (double unseen, double longest) = (0, 0);

@@ -18,7 +18,7 @@ internal sealed class ExchangeRelay(ExchangeRandom random, Func<VehicleMessageCl
     // Shorter than any time-out of a sender, longer than the ways that a copy may take.
     private static readonly TimeSpan Known = TimeSpan.FromTicks(300 * TimeSpan.TicksPerMillisecond);
 
-    // Acknowledgements and announcements, which have no lifetime, are sent anew by then.
+    // Acknowledgements and announcements, which have no lifetime, are sent again by then.
     private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(2);
 
     private const int MinWaitMs = 5;
