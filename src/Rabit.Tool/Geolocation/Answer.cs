@@ -74,9 +74,9 @@ internal static class Answer
         GeolocationError.CameraBelowGround => "the camera is below the ground",
         GeolocationError.LeavesTerrain => "the ray leaves the terrain grid above the ground",
         GeolocationError.NoTerrainData => "the ray may intersect the ground where the terrain grid has no altitude",
-        GeolocationError.NoPose => "no pose reaches the time of the picture",
+        GeolocationError.NoPose => "no pose, or no report of a gimbal that reports, reaches the time of the picture",
         GeolocationError.PoseTooOld => "the picture is older than all poses",
-        GeolocationError.PoseGap => "the poses around the time of the picture are too far apart",
+        GeolocationError.PoseGap => "the poses, or a gimbal's reports, around the time of the picture are too far apart",
         _ => "there is no place",
     };
 

@@ -15,6 +15,7 @@ internal sealed class Request
 {
     private const string Pixel = "pixel";
     private const string Pixels = "pixels";
+    private const string Gimbal = "gimbal";
     private const string GroundAltitude = "groundAltitudeAmslMetres";
     private const int MaxPixels = 10_000;
     private const double MaxSeconds = 1e11;   // some 3000 years: far below what a TimeSpan holds
@@ -51,7 +52,7 @@ internal sealed class Request
         if (line.Telemetry is null)
             AddPose(locator, request.Object("pose", [.. Telemetry.Names]));
         else
-            time = Telemetry.Read(line.Telemetry, time, locator);
+            time = Telemetry.Read(line.Telemetry, time, locator, usesGimbal: !request.Has(Gimbal));
         return new Request(
             locator, time, CommandOf(request, options.Terrain is not null), PixelsOf(line, request, out bool isList))
         {
@@ -109,7 +110,7 @@ internal sealed class Request
             "-" => (input.ReadToEnd(), "the standard input"),
             _ => (File.ReadAllText(file), file),
         };
-        return RequestFields.Parse(text, name, "pose", "gimbal", GroundAltitude, Pixel, Pixels);
+        return RequestFields.Parse(text, name, "pose", Gimbal, GroundAltitude, Pixel, Pixels);
     }
 
     private static TerrainGrid TerrainOf(string file)
@@ -127,12 +128,15 @@ internal sealed class Request
 
     private static ImagingCommand CommandOf(RequestFields request, bool hasTerrain)
     {
-        RequestFields? gimbal = request.Has("gimbal") ? request.Object("gimbal", "pitchDegrees", "yawDegrees") : null;
+        RequestFields? gimbal = request.Has(Gimbal)
+            ? request.Object(Gimbal, "rollDegrees", "pitchDegrees", "yawDegrees")
+            : null;
         return new ImagingCommand
         {
             GroundAltitudeAmslMetres = hasTerrain
                 ? request.OptionalNumber(GroundAltitude)
                 : request.Number(GroundAltitude),
+            CameraRoll = Angle.FromDegrees(gimbal?.OptionalNumber("rollDegrees") ?? 0),
             CameraPitch = Angle.FromDegrees(gimbal?.Number("pitchDegrees") ?? -90),
             CameraYaw = Angle.FromDegrees(gimbal?.Number("yawDegrees") ?? 0),
         };

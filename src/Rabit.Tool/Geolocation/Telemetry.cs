@@ -28,12 +28,16 @@ internal static class Telemetry
 
     private static readonly string[] Columns = ["timeSeconds", .. Names];   // after Names, which it takes
 
+    /// <param name="file">A table or a log.</param>
+    /// <param name="time">Of the picture.</param>
+    /// <param name="locator">Takes the poses.</param>
+    /// <param name="usesGimbal">Whether a log's reports of a gimbal are taken too.</param>
     /// <returns>The time by the clock of the poses.</returns>
     /// <exception cref="FormatException">The file cannot be understood.</exception>
-    public static TimeSpan Read(string file, TimeSpan time, PixelGeolocator locator)
+    public static TimeSpan Read(string file, TimeSpan time, PixelGeolocator locator, bool usesGimbal)
     {
         if (Path.GetExtension(file).Equals(".tlog", StringComparison.OrdinalIgnoreCase))
-            return TelemetryLog.Read(file, time, Beyond, locator);
+            return TelemetryLog.Read(file, time, Beyond, locator, usesGimbal);
         ReadTable(file, time + Beyond, locator);
         return time;
     }

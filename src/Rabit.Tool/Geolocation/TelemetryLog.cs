@@ -11,7 +11,7 @@ namespace Rabit.Tool.Geolocation;
 
 /// <summary>
 /// A telemetry log of MAVLink: GLOBAL_POSITION_INT and ATTITUDE of the first autopilot in it, by that autopilot's
-/// clock.
+/// clock, and what a gimbal of its vehicle reports.
 /// </summary>
 internal static class TelemetryLog
 {
@@ -23,34 +23,44 @@ internal static class TelemetryLog
     /// <param name="time">Seconds since the autopilot started, or since 1970 by the stamps of the log.</param>
     /// <param name="beyond">How much later than the time is still of use.</param>
     /// <param name="locator">Takes the poses.</param>
+    /// <param name="usesGimbal">Whether it takes the gimbal's attitude too.</param>
     /// <returns>The time since the autopilot started.</returns>
     /// <exception cref="FormatException">There are no positions or no attitudes in it.</exception>
-    public static TimeSpan Read(string file, TimeSpan time, TimeSpan beyond, PixelGeolocator locator)
+    public static TimeSpan Read(
+        string file, TimeSpan time, TimeSpan beyond, PixelGeolocator locator, bool usesGimbal)
     {
         if (time.TotalSeconds >= EarliestUtcSeconds)
             time -= StampsLessBoot(file);
         var sent = new HashSet<PoseSampleKind>();
-        foreach ((PoseSample sample, _) in Samples(file))
+        var gimbal = new LoggedGimbal();
+        TimeSpan stampsLessBoot = TimeSpan.MaxValue;
+        foreach (LoggedFrame logged in Frames(file))
         {
+            if (usesGimbal)
+                gimbal.Take(logged);
+            if (!logged.IsOfAutopilot || !TryPose(logged.Frame, out PoseSample sample))
+                continue;
             locator.Add(sample);
             sent.Add(sample.Kind);
+            stampsLessBoot = Least(stampsLessBoot, logged.Stamp - sample.Time);
             if (sample.Time > time + beyond)
                 break;
         }
 
-        return sent.Count == 2
-            ? time
-            : throw new FormatException($"{file} has no positions or no attitudes of an autopilot.");
+        if (sent.Count < 2)
+            throw new FormatException($"{file} has no positions or no attitudes of an autopilot.");
+        gimbal.AddTo(locator, stampsLessBoot);
+        return time;
     }
 
     // By the message that was quickest: late by the shortest delay of the link, which is not in a log.
     private static TimeSpan StampsLessBoot(string file)
     {
         TimeSpan least = TimeSpan.MaxValue;
-        foreach ((PoseSample sample, TimeSpan stamp) in Samples(file))
+        foreach (LoggedFrame logged in Frames(file))
         {
-            if (stamp - sample.Time < least)
-                least = stamp - sample.Time;
+            if (logged.IsOfAutopilot && TryPose(logged.Frame, out PoseSample sample))
+                least = Least(least, logged.Stamp - sample.Time);
         }
 
         return least < TimeSpan.MaxValue
@@ -58,7 +68,10 @@ internal static class TelemetryLog
             : throw new FormatException($"{file} has no positions or attitudes of an autopilot.");
     }
 
-    private static IEnumerable<(PoseSample Sample, TimeSpan Stamp)> Samples(string file)
+    private static TimeSpan Least(TimeSpan a, TimeSpan b) => a < b ? a : b;
+
+    // Those of the vehicle of the first autopilot, from where that is known.
+    private static IEnumerable<LoggedFrame> Frames(string file)
     {
         using FileStream stream = File.OpenRead(file);
         using ProgressBar progress = ProgressBar.Start(stream.CanSeek ? stream.Length : 0);
@@ -69,8 +82,10 @@ internal static class TelemetryLog
             progress.Show(log.Position);
             if (autopilot is null && frame.TryDecode(out Heartbeat beat) && beat.Autopilot != MavAutopilot.Invalid)
                 autopilot = (frame.SystemId, frame.ComponentId);
-            if (autopilot == (frame.SystemId, frame.ComponentId) && TryPose(frame, out PoseSample sample))
-                yield return (sample, TimeSpan.FromTicks(record.TimeMicroseconds * 10));
+            if (autopilot?.System == frame.SystemId)
+                yield return new LoggedFrame(
+                    frame, TimeSpan.FromTicks(record.TimeMicroseconds * 10),
+                    IsOfAutopilot: autopilot?.Component == frame.ComponentId);
         }
     }
 

@@ -1,5 +1,6 @@
 using System.Collections.Immutable;
 using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
 
 namespace Rabit.Uav.Messages;
 
@@ -18,9 +19,19 @@ public struct ImagingCommand
     /// <summary>Camera yaw, right positive, as the pitch.</summary>
     public Angle CameraYaw { get; set; }
 
+    /// <summary>
+    /// Camera roll, right side down positive, as the pitch; 0, the default, for a gimbal that holds the picture level.
+    /// Mission Control commands none.
+    /// </summary>
+    public Angle CameraRoll { get; set; }
+
     /// <summary>Altitude of the ground, taken as level, metres above mean sea level.</summary>
     public double GroundAltitudeAmslMetres { get; set; }
 
     /// <summary>The classes to search for; empty, the default, for all that Image Processing has.</summary>
     public ImmutableArray<TargetClassName> Classes { get; set; }
+
+    /// <summary>How the camera is pointed by it.</summary>
+    internal readonly GimbalAttitude Pointing(GimbalFrame frame)
+        => new(new EulerAngles(CameraRoll, CameraPitch, CameraYaw), frame);
 }

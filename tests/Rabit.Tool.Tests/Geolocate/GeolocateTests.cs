@@ -150,7 +150,7 @@ public sealed class GeolocateTests : IDisposable
     [InlineData("\"rollDegrees\":0", "\"rolDegrees\":3,\"rollDegrees\":0", "pose.rolDegrees is unknown")]
     [InlineData("\"rollDegrees\":0", "\"rollDegrees\":3,\"rollDegrees\":0", "pose.rollDegrees is there twice")]
     [InlineData("\"pixel\"", "\"gimbal\":{\"pitch\":-60},\"pixel\"",
-        "gimbal.pitch is unknown; there are pitchDegrees, yawDegrees")]
+        "gimbal.pitch is unknown; there are rollDegrees, pitchDegrees, yawDegrees")]
     [InlineData("\"rollDegrees\":0", "\"rollDegrees\":\"0\"", "pose.rollDegrees is \"0\"; it must be a number")]
     [InlineData("\"rollDegrees\":0", "\"rollDegrees\":null", "pose.rollDegrees is null; it must be a number")]
     [InlineData("[319.5,239.5]", "[319.5]", "pixel is [319.5]; it must be a list of two numbers")]

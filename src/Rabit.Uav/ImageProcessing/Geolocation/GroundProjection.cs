@@ -26,8 +26,7 @@ internal readonly struct GroundProjection
         _geometry = new ViewingGeometry
         {
             Pose = pose,
-            Gimbal = pose.Gimbal ?? new GimbalAttitude(
-                new EulerAngles(Angle.Zero, command.CameraPitch, command.CameraYaw), projector.Mount.GimbalFrame),
+            Gimbal = pose.Gimbal ?? command.Pointing(projector.Mount.GimbalFrame),
             GroundDownMetres = pose.Position.AltitudeAmslMetres - command.GroundAltitudeAmslMetres,
         };
     }

@@ -120,8 +120,7 @@ internal sealed class LandingMarkerFinder
         if (pose.Gimbal is { } reported)
             gimbal = reported;
         else if (command is { } pointed)
-            gimbal = new GimbalAttitude(
-                new EulerAngles(Angle.Zero, pointed.CameraPitch, pointed.CameraYaw), _mount.GimbalFrame);
+            gimbal = pointed.Pointing(_mount.GimbalFrame);
         else if (_mount.FixedBodyFromCamera is null)
             return false;
         camera = _mount.At(gimbal, pose.Attitude);

@@ -10,6 +10,7 @@ namespace Rabit.Uav.AutopilotInterface;
 /// The attitude of the camera's gimbal by GIMBAL_DEVICE_ATTITUDE_STATUS or MOUNT_ORIENTATION: of the first gimbal of
 /// the vehicle that reports one, until it is silent. For one thread.
 /// </summary>
+/// <remarks>Compiled by Rabit.Uav, and by the tool for recorded logs.</remarks>
 internal sealed class GimbalTracker
 {
     // What a gimbal with such an error says of its attitude is not trusted; a limit or a motor is no such error.
