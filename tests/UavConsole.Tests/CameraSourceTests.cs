@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Text.Json;
+using System.Threading;
 using Rabit.Tests.Shared;
 using Rabit.Uav.Tests;
 using Rabit.Uav.Tests.Communications;
@@ -60,6 +61,41 @@ public sealed class CameraSourceTests : IDisposable
             Assert.Single(
                 CommandLineRun.Refuse("--link", $"udpin:127.0.0.1:{FreePort.Udp()}", "--camera", description)),
             StringComparison.Ordinal);
+    }
+
+    // It writes nothing, so that no broken pipe ends it; nor its child, which has the pipe too.
+    [ShellFact]
+    public void Kill_CameraProgramThatWritesNothing_EndsWithItsChildren()
+    {
+        if (!Directory.Exists("/proc/self"))
+            return;   // the programs are looked up there, by the product too
+        string description = Describe("""
+            { "program": "sh", "stallTimeoutSeconds": 600,
+              "arguments": ["-c", "sleep 600 & echo \"pids=$$,$!\" >&2; wait"] }
+            """);
+        using ConsoleProcess console = ConsoleProcess.Start(
+            "--headless", "--link", $"udpin:127.0.0.1:{FreePort.Udp()}", "--camera", description);
+        string[] programs = console.WaitFor("sh: pids=").Split('=')[1].Split(',');
+        Assert.All(programs, pid => Assert.False(HasEnded(pid), pid));
+
+        console.Signal(ConsoleProcess.KillNow);
+
+        Assert.All(programs, pid => Assert.True(
+            SpinWait.SpinUntil(() => HasEnded(pid), TimeSpan.FromSeconds(60)), $"process {pid} goes on"));
+    }
+
+    // Also true of one that has ended but was not yet waited for.
+    private static bool HasEnded(string pid)
+    {
+        try
+        {
+            string stat = File.ReadAllText($"/proc/{pid}/stat");
+            return stat[stat.LastIndexOf(')') + 2] is 'Z' or 'X';
+        }
+        catch (IOException)
+        {
+            return true;
+        }
     }
 
     // Until the log has a text.

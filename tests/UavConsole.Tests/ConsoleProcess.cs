@@ -16,6 +16,7 @@ internal sealed class ConsoleProcess : IDisposable
 {
     public const int Interrupt = 2;
     public const int Terminate = 15;
+    public const int KillNow = 9;
 
     private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(150);   // on an idle machine
     private static readonly string Folder = Path.GetDirectoryName(typeof(ConsoleProcess).Assembly.Location)!;

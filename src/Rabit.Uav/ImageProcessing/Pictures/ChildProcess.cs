@@ -10,7 +10,8 @@ namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
 /// A program whose standard output is read, and that ends with this one: it is killed, with what it has started, when
-/// this is disposed or the process exits; if that is killed itself, its pipe breaks, which ends a program that writes.
+/// this is disposed or the process exits; if that is killed itself, by its <see cref="OrphanWatch"/>. Where there is
+/// none, its pipe breaks then, which ends a program that writes.
 /// </summary>
 internal sealed class ChildProcess : IDisposable
 {
@@ -22,6 +23,7 @@ internal sealed class ChildProcess : IDisposable
 
     private readonly Process _process;
     private readonly EventHandler _onExit;
+    private readonly OrphanWatch? _watch;
 
     // Set by the thread that reads the errors, at their end.
     private readonly ManualResetEventSlim _isErrorRead = new();
@@ -58,6 +60,7 @@ internal sealed class ChildProcess : IDisposable
             throw new IOException(ReasonOf(e), e);
         }
 
+        _watch = OrphanWatch.TryStart(_process.Id);
         AppDomain.CurrentDomain.ProcessExit += _onExit;
         _process.StandardInput.Dispose();   // else it may take keys that are meant for this program
         _process.BeginErrorReadLine();
@@ -92,6 +95,7 @@ internal sealed class ChildProcess : IDisposable
     {
         AppDomain.CurrentDomain.ProcessExit -= _onExit;
         Kill();
+        _watch?.Dispose();
         _process.Dispose();
         _isErrorRead.Dispose();
     }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Threading;
@@ -87,6 +88,19 @@ public sealed partial class ProcessCameraTests
         Assert.DoesNotContain(_log, line => line.Contains("it ended"));
     }
 
+    // What ends the program if this process is killed. That it does is shown by CameraSourceTests of UavConsole.
+    [LinuxFact]
+    public void Run_Program_IsWatchedWhileItRunsAndNoLonger()
+    {
+        bool HasWatch(string pid) => Directory.GetDirectories("/proc").Any(p => IsWatch(p, pid));
+        ProcessCameraOptions options = Options(
+            "echo pid=$$ >&2; cat \"$1\"; sleep 600", Path.Combine(Jpegs, "420.jpg"));
+
+        Run(options, 1, out _, until: () => _log.Any(l => l.Contains("pid=")) && HasWatch(PidOf(_log)));
+
+        Assert.True(SpinWait.SpinUntil(() => !HasWatch(PidOf(_log)), MaxWait));
+    }
+
     // The same while the stop waits for the vehicle to hold.
     [ShellFact]
     public void Stop_ProgramThatEndsWhileTheStopIsDelayed_IsNoFault()
@@ -110,6 +124,21 @@ public sealed partial class ProcessCameraTests
 
         Assert.Null(camera.LastFault);
         Assert.Equal(0, camera.Restarts);
+    }
+
+    private static string PidOf(IEnumerable<string> log) => log.First(l => l.Contains("pid=")).Split('=')[1];
+
+    private static bool IsWatch(string process, string ofProgram)
+    {
+        try
+        {
+            return File.ReadAllText(Path.Combine(process, "cmdline"))
+                .EndsWith($"\0rabit-watch\0{ofProgram}\0", StringComparison.Ordinal);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            return false;
+        }
     }
 
     private static bool Waited(double seconds)
