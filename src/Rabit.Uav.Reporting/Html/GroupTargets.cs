@@ -2,9 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Geodesy;
-using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
-using Rabit.Vision;
 
 namespace Rabit.Uav.Reporting.Html;
 
@@ -23,7 +21,8 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
             return;
         page.Open("section").Element("h2", "Targets, and who validated them").Element(
             "p", $"As {GroupColours.Name(data.BestInformed.SystemId)} knows them, with its numbers; the pictures are "
-                + "those of each vehicle's own camera. One that moves has a new number each time it comes into view. "
+                + "those of each vehicle's own camera, the whole picture and those beside it are of the first. One "
+                + "that moves has a new number each time it comes into view. "
                 + "Times are minutes and seconds since the start of the run.",
             "class", "note");
         page.Open("div", "class", "cards");
@@ -159,38 +158,39 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
         _ => ("not validated", "found alone"),
     };
 
-    // The pictures of finder and validator first.
+    // The best of each vehicle, of finder and validator first; of the first one more, and the whole picture.
     private void WritePictures(TargetTrack track, ValidationTask? task)
     {
-        var pictures = data.Vehicles.Select((v, i) => (Vehicle: v, Index: i, Chip: ChipOf(v, track)))
-            .Where(p => p.Chip is not null)
-            .OrderBy(p => p.Vehicle.SystemId == task?.Finder ? 0 : p.Vehicle.SystemId == task?.Validator ? 1 : 2)
+        var views = data.Vehicles.Select((v, i) => (Vehicle: v, Index: i, Own: OwnTrack(v, track)))
+            .Where(v => v.Own is not null && PicturesOf(v.Vehicle).HasBest(v.Own))
+            .OrderBy(v => v.Vehicle.SystemId == task?.Finder ? 0 : v.Vehicle.SystemId == task?.Validator ? 1 : 2)
             .ToArray();
-        if (pictures.Length == 0)
+        if (views.Length == 0)
             return;
         page.Open("div", "class", "views");
-        foreach ((GroupVehicleSummary vehicle, int index, ImageChip? chip) in pictures)
+        foreach ((GroupVehicleSummary vehicle, int index, TargetTrack? own) in views)
         {
-            page.Open("figure").Empty(
-                "img", "src", DataUri.Of(new RgbPicture(chip!.Width, chip.Height, chip.CopyPixels())), "alt",
-                $"What {GroupColours.Name(vehicle.SystemId)} saw of it").Open("figcaption");
+            page.Open("figure");
+            PicturesOf(vehicle).WriteBest(own!);
+            page.Open("figcaption");
             GroupColours.WriteName(page, index, vehicle.SystemId);
             page.Close().Close();
         }
 
         page.Close();
+        PicturesOf(views[0].Vehicle).WriteOthers(views[0].Own!);
     }
 
-    private static ImageChip? ChipOf(GroupVehicleSummary vehicle, TargetTrack track)
-    {
-        TargetTrack? own = vehicle.Flight.Record.Tracks.Tracks
+    private ReportPictures PicturesOf(GroupVehicleSummary vehicle)
+        => new(page, vehicle.Flight.Record, $"the camera of {GroupColours.Name(vehicle.SystemId)}");
+
+    // A vehicle's own track of a target, with a picture.
+    private static TargetTrack? OwnTrack(GroupVehicleSummary vehicle, TargetTrack track)
+        => vehicle.Flight.Record.Tracks.Tracks
             .Where(t => t.Class == track.Class && t.MarkerId == track.MarkerId && t.BestPictureNumber >= 0)
             .Select(t => (Track: t, Metres: Distance(t.Position, track.Position)))
             .Where(t => t.Metres < GroupFlightSummary.SamePlaceMetres)
             .OrderBy(t => t.Metres).Select(t => t.Track).FirstOrDefault();
-        return own is null ? null : vehicle.Flight.Record.Pictures.FirstOrDefault(
-            c => c.PictureNumber == own.BestPictureNumber && c.ReportIndex == own.BestReportIndex);
-    }
 
     private static double Distance(GeodeticPosition a, GeodeticPosition b)
     {

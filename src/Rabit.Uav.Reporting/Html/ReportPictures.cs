@@ -7,11 +7,17 @@ using Rabit.Vision;
 namespace Rabit.Uav.Reporting.Html;
 
 /// <summary>What the camera saw of a target: the best image chips, and the whole picture with its box.</summary>
-internal sealed class ReportPictures(PageWriter page, FlightRecord record)
+/// <param name="page">Takes them.</param>
+/// <param name="record">Has them.</param>
+/// <param name="camera">Whose camera it is, for readers who do not see pictures.</param>
+internal sealed class ReportPictures(PageWriter page, FlightRecord record, string camera = "the camera")
 {
     // Noise makes most of a PNG: without the lowest bits of its levels it is less than half as large.
     private const int KeptBits = 0xF8;
     private const int MiddleOfTheRest = 4;
+
+    /// <summary>Whether there is the best image chip.</summary>
+    public bool HasBest(TargetTrack track) => Find(track.BestPictureNumber, track.BestReportIndex) is not null;
 
     /// <summary>The best image chip, or that there is none.</summary>
     public void WriteBest(TargetTrack track)
@@ -42,7 +48,7 @@ internal sealed class ReportPictures(PageWriter page, FlightRecord record)
 
     private void WriteChip(TargetTrack track, ImageChip chip) => page.Empty(
         "img", "src", DataUri.Of(new RgbPicture(chip.Width, chip.Height, chip.CopyPixels())), "alt",
-        $"What the camera saw of track {FlightText.Number(track.Id)}, picture {FlightText.Number(chip.PictureNumber)}");
+        $"What {camera} saw of track {FlightText.Number(track.Id)}, picture {FlightText.Number(chip.PictureNumber)}");
 
     private void WriteOverview(TargetTrack track, PictureOverview overview)
     {
@@ -51,7 +57,8 @@ internal sealed class ReportPictures(PageWriter page, FlightRecord record)
             pixels[i] = (byte)((pixels[i] & KeptBits) | MiddleOfTheRest);
         page.Open("div", "class", "frame").Empty(
             "img", "src", DataUri.Of(new RgbPicture(overview.Width, overview.Height, pixels)), "alt",
-            $"Picture {FlightText.Number(overview.PictureNumber)} with track {FlightText.Number(track.Id)}");
+            $"Picture {FlightText.Number(overview.PictureNumber)} of {camera} with track "
+                + FlightText.Number(track.Id));
         foreach (PictureBox box in overview.Boxes)
         {
             page.Element(

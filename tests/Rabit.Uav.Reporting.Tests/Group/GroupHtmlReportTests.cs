@@ -33,6 +33,26 @@ public sealed class GroupHtmlReportTests
         Assert.Contains("1.50", words);   // 18750 bytes in 100 s
     }
 
+    // The best of each vehicle; of the finder two more, and the whole picture with a box around the target.
+    [Fact]
+    public void Write_Targets_HaveTheBestPicturesAndTheWholeOneWithItsBox()
+    {
+        XElement card = Page(Group()).Descendants(Html + "article").First();
+
+        Assert.Equal(
+            [
+                "What the camera of vehicle 1 saw of track 1, picture 101",
+                "What the camera of vehicle 2 saw of track 1, picture 101",
+                "What the camera of vehicle 1 saw of track 1, picture 201",
+                "What the camera of vehicle 1 saw of track 1, picture 301",
+                "Picture 101 of the camera of vehicle 1 with track 1",
+            ],
+            card.Descendants(Html + "img").Select(i => i.Attribute("alt")!.Value));
+        Assert.Equal(
+            ["box", "box other"],
+            card.Descendants(Html + "i").Select(ClassOf).Where(c => c.StartsWith("box", Ordinal)));
+    }
+
     [Fact]
     public void Write_FoundByOneOnly_SaysThatItWasNotValidated()
     {
