@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Threading;
 using Rabit.Core;
+using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Simulation;
@@ -16,9 +17,12 @@ namespace Rabit.Uav.Simulation;
 /// camera is frozen, no buffer is free, the one before was not taken in time, or the truth of its moment is not
 /// known, is lost, and its number with it. The figures may be read from any thread.
 /// </remarks>
-public sealed class SimulatedCamera : IReaderSource<CameraFrame>
+public sealed class SimulatedCamera : ICamera
 {
     private const string Owner = "simulated camera";
+
+    // Of the frames, whose TimeNoise is 0. A fault that shifts the time is one of which a camera does not know.
+    private const string ExactTime = "clock of the simulation, standard deviation 0 ms";
 
     // The vehicle may be a step behind the moment that is asked for.
     private static readonly TimeSpan TruthPause = TimeSpan.FromMilliseconds(5);
@@ -52,6 +56,21 @@ public sealed class SimulatedCamera : IReaderSource<CameraFrame>
     /// <inheritdoc/>
     public bool Blocks => false;
 
+    /// <inheritdoc/>
+    public string Name => Owner;
+
+    /// <inheritdoc/>
+    /// <remarks>
+    /// A picture is skipped where the next one was due. Of one that is frozen it says nothing, as a real camera does.
+    /// </remarks>
+    public CameraStatistics Statistics => new()
+    {
+        Delivered = FramesDelivered,
+        Skipped = FramesOvertaken,
+        WithoutBuffer = FramesWithoutBuffer,
+        TimeSource = ExactTime,
+    };
+
     /// <summary>Pictures delivered.</summary>
     public long FramesDelivered => Interlocked.Read(ref _delivered);
 
@@ -69,6 +88,12 @@ public sealed class SimulatedCamera : IReaderSource<CameraFrame>
 
     /// <summary>Who holds the buffers now, one name for each.</summary>
     public IReadOnlyList<string> BufferHolders() => _pool.Holders();
+
+    /// <inheritdoc/>
+    /// <remarks>It has nothing to say.</remarks>
+    public void LogTo(Action<string>? log)
+    {
+    }
 
     /// <inheritdoc/>
     public void Open(ReaderContext context)

@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.ImageProcessing;
 using Xunit;
 
 namespace Rabit.Uav.Simulation.Tests.Camera;
@@ -87,6 +88,14 @@ public class SimulatedCameraTests
 
         Assert.Equal([0, 1, 4], run.Taken.Select(t => t.Frame.Number));
         Assert.Equal(3, run.Camera.FramesWithoutBuffer);
+        Assert.Equal(
+            new CameraStatistics
+            {
+                Delivered = 3,
+                WithoutBuffer = 3,
+                TimeSource = "clock of the simulation, standard deviation 0 ms",
+            },
+            run.Camera.Statistics);
     }
 
     [Fact]

@@ -5,9 +5,9 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// A source of pictures that says how it is, as a folder, the output of a program and a video device do. Image
-/// Processing takes any <see cref="IReaderSource{T}"/>; of one of these it also reports the fault and writes its lines
-/// into the log of the run.
+/// A source of pictures that says how it is, as a folder, the output of a program, a video device and the simulated
+/// camera do. Image Processing takes any <see cref="IReaderSource{T}"/>; of one of these it also reports the fault and
+/// writes its lines into the log of the run.
 /// </summary>
 public interface ICamera : IReaderSource<CameraFrame>
 {
