@@ -11,6 +11,9 @@ internal sealed class Baseline
 {
     private readonly Dictionary<string, string> _counts = new(StringComparer.Ordinal);
 
+    /// <summary>Those of markers; null where there are none.</summary>
+    public MarkerBaseline? Markers { get; private set; }
+
     public double FalseAlarmsPerFrame { get; private set; }
 
     public double ClearPanelRms { get; private set; }
@@ -28,6 +31,7 @@ internal sealed class Baseline
             return null;
         var baseline = new Baseline
         {
+            Markers = MarkerBaseline.Load(folder),
             FalseAlarmsPerFrame = colour.GetProperty("fa_per_frame").GetDouble(),
             ClearPanelRms = colour.GetProperty("centroid_rms_px_clear_panels_6px_up").GetDouble(),
         };

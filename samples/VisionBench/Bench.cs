@@ -14,11 +14,15 @@ internal sealed class Bench(
     ITargetDetector detector, ImmutableArray<TargetClass> classes, bool isColourEnough, int repeats)
 {
     private readonly PictureReader _reader = new();
+    private readonly MarkerBench _markers = new(repeats);
     private readonly TargetDetection[] _found = new TargetDetection[64];
     private byte[] _pixels = [];
 
     /// <summary>Time in the detector so far.</summary>
     public TimeSpan DetectorTime { get; private set; }
+
+    /// <summary>Time in the detector of markers so far.</summary>
+    public TimeSpan MarkerTime => _markers.Time;
 
     public IEnumerable<FrameScore> Run(PictureSet set, Action<int, int> onProgress)
     {
@@ -42,6 +46,7 @@ internal sealed class Bench(
         var score = new FrameScore(frame, _found.AsSpan(0, result.Count), isColourEnough);
         foreach (TargetMatch match in score.Matches)
             match.IsClipped = IsClipped(match.Target, width, height);
+        score.Markers = _markers.Search(frame.Markers, _pixels, width, height);
         return score;
     }
 

@@ -72,6 +72,9 @@ internal sealed class BenchOptions
         new ImageProcessingOptions { TargetClasses = BenchClasses.All }.CreateDetector(), BenchClasses.All,
         IsColourEnough, _repeats);
 
+    /// <summary>Of markers alone.</summary>
+    public MarkerBench CreateMarkerBench() => new(_repeats);
+
     private static bool TryCount(string text, out int count)
         => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out count) && count > 0;
 }

@@ -44,6 +44,9 @@ internal sealed class FrameScore
 
     public IReadOnlyList<FalseAlarm> FalseAlarms => _falseAlarms;
 
+    /// <summary>Its markers, which are searched for by themselves.</summary>
+    public MarkerScore? Markers { get; set; }
+
     /// <summary>Detections of a target that had one of the right class already.</summary>
     public int Duplicates { get; private set; }
 

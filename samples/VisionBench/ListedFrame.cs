@@ -5,6 +5,7 @@ using System.Text.Json;
 using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Vision;
 
 namespace VisionBench;
 
@@ -28,6 +29,9 @@ internal sealed class ListedFrame
         Targets = json.GetProperty("targets").EnumerateArray().Select(t => new ListedTarget(t)).ToImmutableArray();
         Distractors = json.GetProperty("distractors").EnumerateArray().Select(d => new ListedDistractor(d))
             .ToImmutableArray();
+        Markers = new MarkerPicture(
+            Name, FilePath, index, [.. Targets.Where(t => t.Marker is not null).Select(t => t.Marker!)],
+            IsOnAnUnknownMarker);
     }
 
     public string Name { get; }
@@ -48,7 +52,14 @@ internal sealed class ListedFrame
 
     public ImmutableArray<ListedDistractor> Distractors { get; }
 
+    /// <summary>The markers among the targets.</summary>
+    public MarkerPicture Markers { get; }
+
     public PictureGroundScale CreateScale() => PictureGroundScale.OfLevelGround(Camera, NedFromCamera, HeightMetres);
+
+    // Of some sets the truth does not say which marker it is.
+    private bool IsOnAnUnknownMarker(DetectedMarker marker) => Targets.Any(
+        t => t.Kind == "marker" && t.Marker is null && t.Covers(marker.Corners.Centre.X, marker.Corners.Centre.Y));
 
     private static double Row(JsonElement row, int column) => row[column].GetDouble();
 }

@@ -17,12 +17,17 @@ internal sealed class ListedTarget
         JsonElement centre = json.GetProperty("visible_centroid_px");
         IsSeen = centre.ValueKind == JsonValueKind.Array;
         (X, Y) = IsSeen ? (centre[0].GetDouble(), centre[1].GetDouble()) : (double.NaN, double.NaN);
+        if (json.TryGetProperty("marker", out JsonElement marker))
+            Marker = ListedMarker.Of(marker, FractionVisible);
         JsonElement box = json.GetProperty("bbox_px");
         (Left, Top, Right, Bottom) =
             (box[0].GetDouble(), box[1].GetDouble(), box[2].GetDouble(), box[3].GetDouble());
     }
 
     public string Kind { get; }
+
+    /// <summary>Which marker it is; null for another target, and where the file does not say it.</summary>
+    public ListedMarker? Marker { get; }
 
     public string Colour { get; }
 

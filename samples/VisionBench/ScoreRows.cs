@@ -27,6 +27,10 @@ internal static class ScoreRows
         yield return ("NEES, in 95 % ellipse: clear", Text(score.ClearErrors), "");
         yield return ("  overexposed", Text(score.ClippedErrors), "");
         yield return ("  hidden or cut", Text(score.PartialErrors), "");
+        if (score.Markers.Of + score.Markers.Wrong == 0)
+            yield break;
+        foreach ((string Name, string Value, string Reference) row in score.Markers.Rows(baseline?.Markers))
+            yield return row;
     }
 
     private static string Counted(Baseline? baseline, string what) => baseline?.Count(what) ?? "";

@@ -20,6 +20,7 @@ internal sealed class SetScore
         _matches = all.SelectMany(f => f.Matches).ToList();
         FalseAlarms = all.Sum(f => f.FalseAlarms.Count);
         Duplicates = all.Sum(f => f.Duplicates);
+        Markers = new MarkerTotals(all.Select(f => f.Markers).OfType<MarkerScore>());
         FalseAlarmsOn = all.SelectMany(f => f.FalseAlarms).GroupBy(a => a.On, StringComparer.Ordinal)
             .OrderByDescending(g => g.Count()).ThenBy(g => g.Key, StringComparer.Ordinal)
             .Select(g => (g.Key, g.Count())).ToArray();
@@ -30,6 +31,8 @@ internal sealed class SetScore
     public int Frames { get; }
 
     public int FalseAlarms { get; }
+
+    public MarkerTotals Markers { get; }
 
     public int Duplicates { get; }
 

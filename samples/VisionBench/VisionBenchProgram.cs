@@ -13,8 +13,9 @@ internal static class VisionBenchProgram
         usage: VisionBench FOLDER... [--part all|odd|even] [--colour-only] [--list]
                            [--html FILE] [--repeat N] [--help]
 
-        FOLDER         a set: pictures with a truth.json (format uav-imagery-truth); its parent may have the
-                       baseline.json of the reference
+        FOLDER         a set: pictures with a truth.json (format uav-imagery-truth), or pictures of markers alone
+                       (format uav-imagery-marker-crops; photos with "files" and their "tags"; a list of
+                       pictures with "markers"); its parent may have the baseline.json of the reference
         --part         only the odd frames (for tuning) or the even ones
         --colour-only  a panel that is taken for a vehicle of its colour is right, as for the reference
         --list         each miss, each centre that is far off and each false alarm, one line each
@@ -43,13 +44,18 @@ internal static class VisionBenchProgram
                 throw new FormatException("no folder is given; --help says more");
 
             // All of them before the first is searched: a wrong name ends it at once.
-            List<(string Folder, PictureSet Set)> sets =
-                options.Folders.Select(f => (f, PictureSet.Load(f))).ToList();
+            List<(string Folder, MarkerPictureSet? Markers, PictureSet? Set)> sets =
+                options.Folders.Select(f => MarkerPictureSet.TryLoad(f) is { } markers
+                    ? (f, markers, (PictureSet?)null)
+                    : (f, null, PictureSet.Load(f))).ToList();
             using BenchPage? page = options.HtmlFile is { } file ? new BenchPage(file, options.Describe()) : null;
-            foreach ((string folder, PictureSet set) in sets)
+            foreach ((string folder, MarkerPictureSet? markers, PictureSet? set) in sets)
             {
                 using var progress = new Progress(errors, isTerminal);
-                Run(folder, set, options, page, output, progress);
+                if (markers is not null)
+                    Run(folder, markers, options, page, output, progress);
+                else
+                    Run(folder, set!, options, page, output, progress);
             }
 
             return 0;
@@ -73,12 +79,32 @@ internal static class VisionBenchProgram
         var score = new SetScore(set.Name, scores);
         Baseline? baseline = Baseline.Load(folder);
         string time = FormattableString.Invariant(
-            $"time {bench.DetectorTime.TotalMilliseconds / set.Frames.Length:0.00} ms a frame, {options.Part} frames");
+            $"time {bench.DetectorTime.TotalMilliseconds / set.Frames.Length:0.00} ms a frame, markers {bench.MarkerTime.TotalMilliseconds / set.Frames.Length:0.00} ms, {options.Part} frames");
         ScoreTable.Write(score, baseline, output);
         output.WriteLine("  " + time);
         if (options.IsListed)
             ScoreTable.List(scores, output);
         page?.Add(score, baseline, scores, time);
+    }
+
+    private static void Run(
+        string folder, MarkerPictureSet set, BenchOptions options, BenchPage? page, TextWriter output,
+        Progress progress)
+    {
+        MarkerBench bench = options.CreateMarkerBench();
+        List<MarkerScore> scores = bench.Run(set, (done, of) => progress.Show(set.Name, done, of))
+            .Where(s => options.Includes(s.Picture.Index)).ToList();
+        progress.Clear();
+        MarkerBaseline? baseline = MarkerBaseline.Load(folder);
+        string title = $"{set.Name}, {scores.Count} pictures of markers";
+        List<(string Name, string Value, string Reference)> rows = new MarkerTotals(scores).Rows(baseline).ToList();
+        string time = FormattableString.Invariant(
+            $"time {bench.Time.TotalMilliseconds / set.Pictures.Length:0.00} ms a picture, {options.Part} pictures");
+        ScoreTable.Write(title, rows, baseline is not null, output);
+        output.WriteLine("  " + time);
+        foreach (MarkerScore score in options.IsListed ? scores : [])
+            ScoreTable.List(score, output);
+        page?.Add(title, rows, baseline is not null, scores, time);
     }
 
     private static int Main(string[] args)

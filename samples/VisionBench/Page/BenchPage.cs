@@ -5,6 +5,7 @@ using System.Linq;
 using System.Net;
 using System.Text;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Vision;
 
 namespace VisionBench;
 
@@ -40,18 +41,32 @@ internal sealed class BenchPage : IDisposable
     /// <summary>Adds a set.</summary>
     /// <exception cref="IOException">A picture cannot be read, or the page not be written.</exception>
     public void Add(SetScore score, Baseline? baseline, IEnumerable<FrameScore> frames, string note)
+        => Add(
+            $"{score.Name}, {score.Frames} pictures", ScoreRows.Of(score, baseline), baseline is not null, note,
+            frames.Select(FigureOf));
+
+    /// <summary>Adds a set of markers alone.</summary>
+    /// <exception cref="IOException">A picture cannot be read, or the page not be written.</exception>
+    public void Add(
+        string title, IEnumerable<(string Name, string Value, string Reference)> rows, bool hasReference,
+        IEnumerable<MarkerScore> pictures, string note)
+        => Add(title, rows, hasReference, note, pictures.Select(FigureOf));
+
+    private void Add(
+        string title, IEnumerable<(string Name, string Value, string Reference)> rows, bool hasReference, string note,
+        IEnumerable<PageFigure> figures)
     {
-        _page.WriteLine($"<h2>{Escape(score.Name)}, {score.Frames} pictures</h2>");
-        _page.WriteLine("<table><tr><th></th><th>this</th>" + (baseline is null ? "" : "<th>OpenCV</th>") + "</tr>");
-        foreach ((string name, string value, string reference) in ScoreRows.Of(score, baseline))
+        _page.WriteLine($"<h2>{Escape(title)}</h2>");
+        _page.WriteLine("<table><tr><th></th><th>this</th>" + (hasReference ? "<th>OpenCV</th>" : "") + "</tr>");
+        foreach ((string name, string value, string reference) in rows)
         {
             _page.WriteLine($"<tr><td>{Escape(name)}</td><td>{Escape(value)}</td>"
-                + (baseline is null ? "" : $"<td>{Escape(reference)}</td>") + "</tr>");
+                + (hasReference ? $"<td>{Escape(reference)}</td>" : "") + "</tr>");
         }
 
         _page.WriteLine($"</table><p class=\"lead\">{Escape(note)}</p><div class=\"grid\">");
-        foreach (FrameScore frame in frames)
-            Write(frame);
+        foreach (PageFigure figure in figures)
+            figure.Write(_page);
         _page.WriteLine("</div>");
     }
 
@@ -62,42 +77,64 @@ internal sealed class BenchPage : IDisposable
         _page.Dispose();
     }
 
-    private void Write(FrameScore score)
+    private static PageFigure FigureOf(FrameScore score)
     {
         ListedFrame frame = score.Frame;
-        TargetMatch[] missed = score.Matches.Where(m => m.Found is null).ToArray();
-        _page.WriteLine($"<figure data-missed=\"{missed.Length}\" data-alarms=\"{score.FalseAlarms.Count}\">"
-            + $"<div class=\"picture\"><img loading=\"lazy\" alt=\"{Escape(frame.Name)}\" "
-            + $"src=\"{PictureUri.Of(frame.FilePath)}\">"
-            + $"<svg viewBox=\"-0.5 -0.5 {frame.Camera.Width} {frame.Camera.Height}\" preserveAspectRatio=\"none\">");
-        foreach (ListedTarget target in frame.Targets.Where(t => !t.Counts))
-            Box("other", Around(target), $"does not count: {target.Kind} {target.Size:0.0} px");
+        var figure = new PageFigure(frame.Name, frame.FilePath, frame.Camera.Width, frame.Camera.Height);
+        foreach (ListedTarget target in frame.Targets.Where(t => !t.Counts && t.Marker?.Counts != true))
+            figure.AddOther(Around(target), $"does not count: {target.Kind} {target.Size:0.0} px");
         foreach (TargetMatch match in score.Matches)
         {
             if (match.Found is { } found)
-                Box("found", Around(found), FormattableString.Invariant(
+                figure.AddFound(Around(found), FormattableString.Invariant(
                     $"{found.Class} {found.Score:0.00}, {match.Error:0.00} px off"));
             else
-                Box("missed", Around(match.Target), "missed " + match.Target.Describe());
+                figure.AddMissed(Around(match.Target), match.Target.Describe());
         }
 
         foreach (FalseAlarm alarm in score.FalseAlarms)
-            Box("alarm", Around(alarm.Detection), "false " + alarm.Describe());
-        _page.WriteLine($"</svg></div><figcaption><b>{Escape(frame.Name)}</b>"
-            + (score.Matches.Count == 0
-                ? "no target"
-                : $"{score.Matches.Count - missed.Length} of {score.Matches.Count} found") + "<ul>");
-        foreach (TargetMatch match in missed)
-            _page.WriteLine($"<li class=\"missed\">missed {Escape(match.Target.Describe())}</li>");
-        foreach (FalseAlarm alarm in score.FalseAlarms)
-            _page.WriteLine($"<li class=\"alarm\">false {Escape(alarm.Describe())}</li>");
-        _page.WriteLine("</ul></figcaption></figure>");
+            figure.AddFalse(Around(alarm.Detection), alarm.Describe());
+        if (score.Markers is { } markers)
+            AddTo(figure, markers);
+        return figure;
     }
 
-    private void Box(string kind, (double Left, double Top, double Width, double Height) box, string title)
-        => _page.WriteLine(FormattableString.Invariant(
-            $"<rect class=\"{kind}\" x=\"{box.Left:0.0}\" y=\"{box.Top:0.0}\" width=\"{box.Width:0.0}\" height=\"{box.Height:0.0}\">")
-            + $"<title>{Escape(title)}</title></rect>");
+    private static PageFigure FigureOf(MarkerScore score)
+    {
+        var figure = new PageFigure(score.Picture.Name, score.Picture.FilePath, score.Width, score.Height);
+        foreach (ListedMarker marker in score.Picture.Markers.Where(m => !m.Counts))
+            figure.AddOther(Around(marker), "does not count: " + marker.Describe());
+        AddTo(figure, score);
+        return figure;
+    }
+
+    private static void AddTo(PageFigure figure, MarkerScore score)
+    {
+        foreach (MarkerMatch match in score.Matches)
+        {
+            if (match.Found is null)
+                figure.AddMissed(Around(match.Marker), match.Marker.Describe());
+            else
+                figure.AddFound(Around(match.Marker), match.Marker.Describe()
+                    + FormattableString.Invariant($", corners up to {match.CornerErrors.Max():0.00} px off"));
+        }
+
+        foreach (DetectedMarker wrong in score.Wrong)
+            figure.AddFalse(Around(wrong), MarkerScore.Describe(wrong));
+    }
+
+    private static (double Left, double Top, double Width, double Height) Around(ListedMarker marker)
+        => (marker.Left - Margin, marker.Top - Margin, marker.Right - marker.Left + (2 * Margin),
+            marker.Bottom - marker.Top + (2 * Margin));
+
+    private static (double Left, double Top, double Width, double Height) Around(in DetectedMarker found)
+    {
+        MarkerCorners corners = found.Corners;
+        PicturePoint[] points = [corners[0], corners[1], corners[2], corners[3]];
+        (double left, double top) = (points.Min(p => p.X), points.Min(p => p.Y));
+        return (left - Margin, top - Margin, points.Max(p => p.X) - left + (2 * Margin),
+            points.Max(p => p.Y) - top + (2 * Margin));
+    }
 
     private static (double Left, double Top, double Width, double Height) Around(ListedTarget target)
         => (target.Left - Margin, target.Top - Margin, target.Right - target.Left + (2 * Margin),
