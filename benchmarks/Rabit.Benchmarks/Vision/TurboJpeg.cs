@@ -17,12 +17,26 @@ internal sealed class TurboJpeg : IDisposable
         _decoder = InitDecompress();
     }
 
-    public static bool IsInstalled { get; } = NativeLibrary.TryLoad(Library, out _);
+    public static bool IsInstalled { get; } = Find();
 
     public void Decode(byte[] file, byte[] pixels, int width, int height)
     {
         if (Decompress(_decoder, file, (ulong)file.Length, pixels, width, width * 3, height, Rgb, AccurateDct) != 0)
             throw new InvalidOperationException("libturbojpeg refuses the picture.");
+    }
+
+    // Mono has no NativeLibrary, so it is tried.
+    private static bool Find()
+    {
+        try
+        {
+            new TurboJpeg().Dispose();
+            return true;
+        }
+        catch (DllNotFoundException)
+        {
+            return false;
+        }
     }
 
     public void Dispose() => _ = Destroy(_decoder);
