@@ -33,7 +33,7 @@ internal sealed class KernelThread(int id)
             const string Name = "voluntary_ctxt_switches:";
             string line = File.ReadLines(_folder + "status").Single(
                 l => l.StartsWith(Name, StringComparison.Ordinal));
-            return long.Parse(line.Substring(Name.Length), CultureInfo.InvariantCulture);
+            return long.Parse(line.Split(':')[1], CultureInfo.InvariantCulture);
         }
     }
 
