@@ -83,6 +83,14 @@ public sealed class TargetClass
     public ColourRange? SecondColour { get; init; }
 
     /// <summary>
+    /// Its outline, for panels of one or two colours: what has another one is then none of it. It can be made out from
+    /// some 12 pixels on (a square of its area); what is smaller is found whatever its outline. Sides are always those
+    /// of a square of its area. It is for what shows its colours all over (<see cref="MinColourShare"/> of 1).
+    /// </summary>
+    /// <value>The default is <see cref="TargetShape.Any"/>.</value>
+    public TargetShape Shape { get; init; }
+
+    /// <summary>
     /// The printed markers that it consists of; the size is then the side of the black square. Null, the default, for
     /// what is no marker.
     /// </summary>
@@ -169,10 +177,22 @@ public sealed class TargetClass
                 yield return fault;
             foreach (string fault in targetClass.FindTemplateFaults())
                 yield return fault;
+            if (targetClass.FindShapeFault() is { } shape)
+                yield return $"target class {targetClass.Name} {shape}";
             if (targetClass.FindColourFault() is { } colours)
                 yield return $"the colours of target class {targetClass.Name}: {colours}";
         }
     }
+
+    private string? FindShapeFault()
+        => Shape == TargetShape.Any ? null
+            : Shape is < TargetShape.Any or > TargetShape.Triangle ? $"has the {nameof(Shape)} {Shape}, which is none"
+            : Marker is not null || Template is not null || HotSpot is not null
+                ? $"has the {nameof(Shape)} {Shape} and a marker, a template or a hot spot; it can only have one of them"
+            : Colour is null ? $"has the {nameof(Shape)} {Shape} and no {nameof(Colour)}, which it is seen by"
+            : MinColourShare < 1 ? FormattableString.Invariant(
+                $"has the {nameof(Shape)} {Shape} and a {nameof(MinColourShare)} of {MinColourShare}; what has a shape shows its colours all over, 1")
+            : null;
 
     private string? FindColourFault()
         => SecondColour is null ? null

@@ -40,6 +40,7 @@ internal static class MissionTargetClassReader
             Colour = ReadColour(one, "colour"),
             SecondColour = ReadColour(one, "secondColour"),
             Marker = ReadMarker(one),
+            Shape = ReadShape(one),
             Template = ReadTemplate(one, folder),
             HotSpot = ReadHotSpot(one),
             MinSideMetres = one.Number("minSideMetres") ?? Default.MinSideMetres,
@@ -64,6 +65,11 @@ internal static class MissionTargetClassReader
         one.Blame(key, given, "must be sRGB in hexadecimal digits, \"#rrggbb\"");
         return null;
     }
+
+    private static TargetShape ReadShape(JsonFields one)
+        => one.Choice("shape", Enum.GetNames(typeof(TargetShape))) is { } shape
+            ? (TargetShape)Enum.Parse(typeof(TargetShape), shape)
+            : TargetShape.Any;
 
     private static TargetMarker? ReadMarker(JsonFields one)
     {

@@ -83,7 +83,7 @@ public sealed class PanelFinder
         for (int row = 0; row < height; row++)
             Mark(pixels, width, height, row, colours);
         _mask.Close(limits.UsualSide < LargeSide ? 1 : 2);
-        _measure.Begin(pixels, width, height, _parts, _mask);
+        _measure.Begin(pixels, width, height, _parts, _mask, limits.MeasuresForm);
         Dropped = 0;
         int count = 0;
         for (int row = 0; row < height; row++)

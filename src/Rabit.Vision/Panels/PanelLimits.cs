@@ -11,4 +11,7 @@ public struct PanelLimits
 
     /// <summary>Side of the usual one: by it is taken what counts as the ground around one.</summary>
     public double UsualSide { get; set; }
+
+    /// <summary>Whether <see cref="PanelShape.Form"/> is measured.</summary>
+    public bool MeasuresForm { get; set; }
 }

@@ -18,6 +18,9 @@ internal sealed class PanelMeasure
     private const double RingShare = 0.12;
     private const int MinRing = 2;
 
+    // A pixel is a square, and counts as its centre.
+    private const double PixelVariance = 1.0 / 12;
+
     // Of a cell of the window.
     private const byte Own = 1;
     private const byte Outside = 2;
@@ -35,6 +38,7 @@ internal sealed class PanelMeasure
     private int _height;
     private int _pointCount;   // of the outlines that are kept
     private PanelShape _measured;
+    private bool _measuresForm;
 
     // The window around the part: its first column and row, its size.
     private int _left;
@@ -43,9 +47,10 @@ internal sealed class PanelMeasure
     private int _rows;
 
     /// <summary>Begins with a picture.</summary>
-    public void Begin(byte[] pixels, int width, int height, PixelMask parts, PixelMask mask)
+    public void Begin(byte[] pixels, int width, int height, PixelMask parts, PixelMask mask, bool measuresForm)
     {
         (_pixels, _width, _height, _parts, _mask) = (pixels, width, height, parts, mask);
+        _measuresForm = measuresForm;
         _pointCount = 0;
     }
 
@@ -83,6 +88,8 @@ internal sealed class PanelMeasure
         _reach.Measure(_cells, Inside, _columns, _rows, RingOf(Math.Sqrt(shape.OutlinePixels)));
         CountParts(ref shape);
         CountRing(ref shape);
+        if (_measuresForm)
+            MeasureForm(ref shape);
         _edge.FindCentre(ref shape, _pixels, _width, _height, _left, _top, _columns, _rows);
         for (int i = 0; i < length; i++)
             _mask.Bytes[places[i]] = Left;
@@ -148,6 +155,27 @@ internal sealed class PanelMeasure
         if (place == _points.Length)
             Array.Resize(ref _points, 2 * place);
         _points[place] = new PicturePoint(column, row);
+    }
+
+    // Of whole pixels, about their own centre.
+    private void MeasureForm(ref PanelShape shape)
+    {
+        (double sumX, double sumY) = (0, 0);
+        for (int at = 0; at < _columns * _rows; at++)
+        {
+            if (_cells[at] == Inside)
+                (sumX, sumY) = (sumX + (at % _columns), sumY + (at / _columns));
+        }
+
+        (sumX, sumY) = (sumX / shape.OutlinePixels, sumY / shape.OutlinePixels);
+        FormSums sums = default;
+        for (int at = 0; at < _columns * _rows; at++)
+        {
+            if (_cells[at] == Inside)
+                sums.Add((at % _columns) - sumX, (at / _columns) - sumY, 1);
+        }
+
+        shape.Form = sums.MomentsWithout(-PixelVariance);
     }
 
     private void CountParts(ref PanelShape shape)

@@ -47,6 +47,11 @@ public struct PanelShape
     /// </summary>
     public double Unevenness { get; set; }
 
+    /// <summary>
+    /// What its outline is like; all 0 where <see cref="PanelLimits.MeasuresForm"/> does not ask for it.
+    /// </summary>
+    public FormMoments Form { get; set; }
+
     /// <summary>Whether the border of the picture may cut a part of it off.</summary>
     public bool TouchesBorder { get; set; }
 

@@ -127,6 +127,29 @@ public sealed class PatchMeasure
         shape.OtherBeside = Math.Acos(Math.Max(-1, least)) * 180 / Math.PI;
     }
 
+    /// <summary>Adds to what was measured last what its form is like (<see cref="PatchShape.Form"/>).</summary>
+    /// <param name="shape">What <see cref="TryMeasure"/> gave, before its centre is corrected.</param>
+    /// <param name="blurVariance">Of the picture in each direction, square pixels.</param>
+    public void MeasureForm(ref PatchShape shape, double blurVariance)
+    {
+        FormSums sums = default;
+        for (int row = 0; row < _map.Rows; row++)
+        {
+            for (int word = 0; word < _map.Edge.Words; word++)
+            {
+                for (ulong bits = _map.Edge[row, word]; bits != 0; bits &= bits - 1)
+                {
+                    int column = (64 * word) + BitOperations.TrailingZeroCount(bits);
+                    double part = Math.Min(1, _coverage[(row * _map.Columns) + column]);
+                    if (part >= MinCoverage)
+                        sums.Add(_map.Left + column - shape.CentreX, _map.Top + row - shape.CentreY, part);
+                }
+            }
+        }
+
+        shape.Form = sums.MomentsWithout(blurVariance);
+    }
+
     /// <summary>The pixels at the edge of what was measured last, of which it covers half or more.</summary>
     /// <returns>Columns and rows of the picture, until the next call.</returns>
     public ReadOnlySpan<PicturePoint> FindOutline()

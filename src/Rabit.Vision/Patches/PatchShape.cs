@@ -67,6 +67,9 @@ public struct PatchShape
     /// </summary>
     public double OtherBeside { get; set; }
 
+    /// <summary>What its form is like; all 0 until <see cref="PatchMeasure.MeasureForm"/>.</summary>
+    public FormMoments Form { get; set; }
+
     /// <summary>Whether the border of the picture may cut a part of it off.</summary>
     public readonly bool TouchesBorder => CutLength > 0;
 

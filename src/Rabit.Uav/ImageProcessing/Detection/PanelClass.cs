@@ -81,6 +81,7 @@ internal sealed class PanelClass
         MinSide = Math.Max(_target.MinSideMetres / sides.Coarsest, MinSidePixels / 2),
         MaxSide = _target.MaxSideMetres * Math.Sqrt(_target.MaxAspect) / sides.Finest,
         UsualSide = UsualSideMetres / Math.Sqrt(sides.Finest * sides.Coarsest),
+        MeasuresForm = _target.Shape != TargetShape.Any,
     };
 
     /// <summary>The score, 0 to 1; 0 where it is none.</summary>
@@ -92,21 +93,27 @@ internal sealed class PanelClass
         double side = pixel * Math.Sqrt(shape.OutlinePixels);
         double aspect = rectangle.Length / rectangle.Width;
         double fill = shape.OutlinePixels * pixel * pixel / (rectangle.Length * rectangle.Width);
-        bool isPanel = side >= _target.MinSideMetres && side <= _target.MaxSideMetres
+        bool hasForm = HasForm(shape, fill, side / pixel, out double form);
+        bool isPanel = hasForm && side >= _target.MinSideMetres && side <= _target.MaxSideMetres
             && UsualSideMetres >= MinSidePixels * pixel
-            && fill >= MinFillAt(side / pixel) && aspect <= _target.MaxAspect * AspectSlack
-            && aspect >= _target.MinAspect / AspectSlack && HasColours(shape);
+            && aspect <= _target.MaxAspect * AspectSlack && aspect >= _target.MinAspect / AspectSlack
+            && HasColours(shape);
         if (!isPanel)
             return 0;
         double size = Math.Log(side / UsualSideMetres)
             / Math.Log(Math.Sqrt(_target.MaxSideMetres / _target.MinSideMetres));
-        double form = Math.Max(0, 1 - fill) / FillSpread;
         double ring = shape.CoveredRing / RingSpread;
         return Math.Exp(-0.25 * ((size * size) + (form * form) + (ring * ring)));
     }
 
-    /// <summary>Where it points.</summary>
+    /// <summary>Where it points; null for a shape that has no such direction.</summary>
     /// <param name="rectangle">Around it on the ground, metres.</param>
+    /// <param name="pixel">Side of a pixel there, metres.</param>
+    public TargetBearing? BearingOfPanel(in FittedRectangle rectangle, double pixel)
+        => _target.Shape is TargetShape.Any or TargetShape.Rectangle ? BearingOf(rectangle, pixel) : null;
+
+    /// <summary>Where a rectangle points.</summary>
+    /// <param name="rectangle">On the ground, metres.</param>
     /// <param name="pixel">Side of a pixel there, metres.</param>
     public static TargetBearing BearingOf(in FittedRectangle rectangle, double pixel)
     {
@@ -122,6 +129,19 @@ internal sealed class PanelClass
     public static PixelCovariance CovarianceOf(in PanelShape shape)
         => PixelCovariance.FromSigma(
             Math.Sqrt((BaseSigma * BaseSigma) + (SideSigma * SideSigma * shape.Area)));
+
+    private bool HasForm(in PanelShape shape, double fill, double sidePixels, out double deviation)
+    {
+        if (_target.Shape == TargetShape.Any)
+        {
+            deviation = Math.Max(0, 1 - fill) / FillSpread;
+            return fill >= MinFillAt(sidePixels);
+        }
+
+        double cost = FormCost.Of(shape.Form, _target.Shape, shape.OutlinePixels, isOfWholePixels: true);
+        deviation = Math.Sqrt(cost);
+        return cost <= PatchCandidates.MaxCost;
+    }
 
     private static double MinFillAt(double sidePixels)
         => sidePixels is >= SmallFromPixels and <= SmallToPixels ? MinFillOfSmall : MinFill;

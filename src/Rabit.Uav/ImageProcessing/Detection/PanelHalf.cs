@@ -71,10 +71,10 @@ internal sealed class PanelHalf
             && TryJoin(form, half, pixel, panel, out whole);
     }
 
-    // Black and white lie beside many a thing, as trousers beside a jacket.
+    // Black and white lie beside many a thing, as trousers beside a jacket. Of two halves the outline is not measured.
     private static ColourRange? OtherOf(TargetClass panel, ColourRange colour)
     {
-        if (panel is not { Colour: { } first, SecondColour: { } second }
+        if (panel is not { Colour: { } first, SecondColour: { } second, Shape: TargetShape.Any or TargetShape.Rectangle }
             || PanelColours.IsNeutral(first) || PanelColours.IsNeutral(second))
             return null;
         return CombinedTargetDetector.AreAlike(first, colour) ? second

@@ -95,7 +95,7 @@ public sealed class PanelTargetDetector : ITargetDetector
         (detection.WidthPixels, detection.HeightPixels) = (shape.Width, shape.Height);
         detection.SideMetres = pixel * Math.Sqrt(shape.Area);
         detection.Score = score;
-        detection.Bearing = PanelClass.BearingOf(rectangle, pixel);
+        detection.Bearing = panel.BearingOfPanel(rectangle, pixel);
         detection.Covariance = PanelClass.CovarianceOf(shape);
         return true;
     }

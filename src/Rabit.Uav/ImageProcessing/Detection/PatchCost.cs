@@ -71,8 +71,9 @@ internal static class PatchCost
         cost += Square((logSide - ((logMin + logMax) / 2)) / (logMax - logMin));
         cost += Square(Math.Log(aspect / Math.Sqrt(target.MinAspect * target.MaxAspect))
             / Math.Log(target.MaxAspect / target.MinAspect));
-        cost += Square(Outside(fill, 0.84 - (0.4 * other), 1.08) / 0.1);
-        cost += Square(Math.Max(0, shape.Outline - 1.3 - (3 * other)) / 0.15);
+        (double minFill, double maxOutline) = FillAndOutlineOf(target.Shape);
+        cost += Square(Outside(fill, minFill - (0.4 * other), 1.08) / 0.1);
+        cost += Square(Math.Max(0, shape.Outline - maxOutline - (3 * other)) / 0.15);
         cost += Square(shape.Continuation / 0.1);
         cost += Square(Math.Max(0, shape.Unevenness - 0.15 - (0.2 * other)) / 0.08);
         double noise = colour.IsNeutral ? 0.15 / colour.PartOfWhite : 0.1;
@@ -102,6 +103,14 @@ internal static class PatchCost
         => target.IsMostlyOfOtherColours ? Square(Math.Max(0, MinOther - shape.OtherBeside) / OtherSigma)
             : target.MinColourShare == 1 ? Square(Math.Max(0, shape.OtherBeside - MaxOther) / OtherSigma)
             : 0;
+
+    // Of its spread a cross and a triangle fill less than a rectangle, and a cross that stands on two arms has dents.
+    private static (double MinFill, double MaxOutline) FillAndOutlineOf(TargetShape shape) => shape switch
+    {
+        TargetShape.Cross => (0.55, 1.7),
+        TargetShape.Triangle => (0.75, 1.3),
+        _ => (0.84, 1.3),
+    };
 
     private static double NeutralWeightOf(TargetClass target, double cut)
     {

@@ -7,6 +7,9 @@ namespace Rabit.Uav.ImageProcessing;
 /// <summary>A colour that targets are searched for in, and how large those of all its classes may be.</summary>
 internal sealed class SearchedColour(ColourRange colour)
 {
+    // What reaches further than a square of its area and its aspect.
+    private const double SpanOfPointed = 1.25;
+
     private bool _hasWhole;
     private bool _hasPart;
 
@@ -34,9 +37,13 @@ internal sealed class SearchedColour(ColourRange colour)
     {
         MinSideMetres = Math.Min(MinSideMetres, target.MinSideMetres);
         MaxSideMetres = Math.Max(MaxSideMetres, target.MaxSideMetres);
-        MaxSpanMetres = Math.Max(MaxSpanMetres, target.MaxSideMetres * Math.Sqrt(target.MaxAspect));
+        MaxSpanMetres = Math.Max(
+            MaxSpanMetres, target.MaxSideMetres * Math.Sqrt(target.MaxAspect) * SpanOf(target.Shape));
         _hasWhole |= target.MinColourShare == 1;
         _hasPart |= target.IsMostlyOfOtherColours;
         HasParts |= target.MinColourShare < 1;
     }
+
+    private static double SpanOf(TargetShape shape)
+        => shape is TargetShape.Cross or TargetShape.Triangle ? SpanOfPointed : 1;
 }

@@ -80,6 +80,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
     private readonly PatchFinder _finder = new();
     private readonly PatchMeasure _measure = new();
     private readonly PatchBearing _bearing = new();
+    private readonly PatchForm _form = new();
     private readonly PatchGroups _groups = new();
     private readonly PatchCandidates _candidates = new();
     private readonly WhiteReference _white = new();
@@ -91,7 +92,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
     /// <summary>Makes the detector.</summary>
     /// <param name="classes">
     /// All classes that it shall distinguish, each with a colour, also those that are not searched for. Classes of one
-    /// colour must differ in size or form.
+    /// colour must differ in size, aspect or shape.
     /// </param>
     /// <exception cref="ArgumentException">A class has no colour, or there are too many.</exception>
     public ShapeTargetDetector(ImmutableArray<TargetClass> classes)
@@ -226,6 +227,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
         bool isShared = _colours[best.Colour].IsSharedWithPart;
         if (isShared)
             _measure.MeasureSurroundings(ref shape);
+        _form.Clear();
         for (int i = 0; i < _classes.Length; i++)
         {
             if (_colourOf[i] != best.Colour)
@@ -233,6 +235,8 @@ public sealed class ShapeTargetDetector : ITargetDetector
             double cost = PatchCost.Of(shape, scale, _classes[i], likeness, out double side, out double ofColour);
             if (isShared)
                 cost += PatchCost.OfSurroundings(shape, _classes[i]);
+            if (cost <= PatchCandidates.MaxCost)
+                cost += _form.CostFor(ref shape, _classes[i], _measure);
             if (cost < best.Cost)
                 (best.Cost, best.ColourCost, best.Class, best.SideMetres) = (cost, ofColour, i, side);
         }
