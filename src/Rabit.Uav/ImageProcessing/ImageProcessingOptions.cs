@@ -79,6 +79,14 @@ public sealed class ImageProcessingOptions
     /// <value>The default is 16.</value>
     public int MaxReportsPerPicture { get; set; } = 16;
 
+    /// <summary>
+    /// Whether targets that the border of the picture cuts are reported too, for an application with single pictures
+    /// and not a flight: where their middle would lie by the sizes of their class, with a covariance that has what is
+    /// not known of that. Each may be a part of anything that is larger, so their class is less sure.
+    /// </summary>
+    /// <value>The default is false: a camera in flight sees them whole a moment later.</value>
+    public bool ReportsCutTargets { get; set; }
+
     /// <summary>How far below the horizon a line of sight must point.</summary>
     /// <value>The default is 5 degrees: nearer to the horizon every error grows without limit.</value>
     public Angle MinDepression { get; set; } = Angle.FromDegrees(5);

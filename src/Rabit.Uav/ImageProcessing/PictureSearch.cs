@@ -50,7 +50,7 @@ internal sealed class PictureSearch : IGroundScaleSource
         _rows = new RowPoses(camera, poses, _maxExtrapolation);
         _detector = new DetectorRunner(
             options.Detector ?? options.CreateDetector(), options.DetectorTimeBudget,
-            options.MaxReportsPerPicture, clock);
+            options.MaxReportsPerPicture, clock, options.ReportsCutTargets);
         _wanted = new WantedClasses(options.TargetClasses);
         _minTargetPixels = options.EffectiveMinTargetPixels;
         _projector = new GroundProjector(camera, options.Mount, options.Errors, options.MinDepression, options.Terrain);

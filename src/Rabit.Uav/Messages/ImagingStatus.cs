@@ -85,7 +85,10 @@ public struct ImagingStatus
     /// </summary>
     public long DetectionsRefused { get; set; }
 
-    /// <summary>Detections that the border of the picture cuts, which are not reported.</summary>
+    /// <summary>
+    /// Detections that were not reported since the border of the picture cuts them (unless
+    /// <c>ImageProcessingOptions.ReportsCutTargets</c>).
+    /// </summary>
     public long DetectionsCut { get; set; }
 
     /// <summary>How often the detector took longer than <c>ImageProcessingOptions.DetectorTimeBudget</c>.</summary>

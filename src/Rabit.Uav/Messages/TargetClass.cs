@@ -84,8 +84,8 @@ public sealed class TargetClass
 
     /// <summary>
     /// Its outline, for panels of one or two colours: what has another one is then none of it. It can be made out from
-    /// some 12 pixels on (a square of its area); what is smaller is found whatever its outline. Sides are always those
-    /// of a square of its area. It is for what shows its colours all over (<see cref="MinColourShare"/> of 1).
+    /// some 12 pixels on, of two colours from 24. Sides are always those of a square of its area. It is for what shows
+    /// its colours all over (<see cref="MinColourShare"/> of 1).
     /// </summary>
     /// <value>The default is <see cref="TargetShape.Any"/>.</value>
     public TargetShape Shape { get; init; }

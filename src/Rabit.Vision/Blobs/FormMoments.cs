@@ -1,9 +1,9 @@
 namespace Rabit.Vision;
 
 /// <summary>
-/// What a form is like whatever its size, its direction, and how much longer than wide it is: its area by its spread, and
-/// its moments of third and fourth order after it was stretched to the same spread in all directions. Blur that is the
-/// same in all directions does not change these two. A plain value.
+/// What a form is like whatever its size, its direction, and how much longer than wide it is: its area by its spread,
+/// and its moments of third and fourth order after it was stretched to the same spread in all directions. Blur that is
+/// the same in all directions does not change these two. A plain value.
 /// </summary>
 public struct FormMoments
 {
@@ -20,8 +20,8 @@ public struct FormMoments
     public double Third { get; set; }
 
     /// <summary>
-    /// How much four directions differ from those between them: 0.6 for a square, 0.84 for that cross; 0 for a circle and
-    /// a triangle.
+    /// How much four directions differ from those between them: 0.6 for a square, 0.84 for that cross; 0 for a circle
+    /// and a triangle.
     /// </summary>
     public double Fourth { get; set; }
 }

@@ -3,8 +3,8 @@ using System;
 namespace Rabit.Uav.Simulation.Tests.Vision;
 
 /// <summary>
-/// A picture that a test draws in linear light: textured ground of two kinds, forms with whatever hides a part of them,
-/// then what a camera makes of it: blur, light, noise, the curve of sRGB, and JPEG.
+/// A picture that a test draws in linear light: textured ground of two kinds, forms on it, then what a camera makes of
+/// it: blur, light, noise, the curve of sRGB, and JPEG.
 /// </summary>
 internal sealed class DrawnScene
 {
@@ -62,25 +62,22 @@ internal sealed class DrawnScene
     /// <param name="y">Where it is.</param>
     /// <param name="reach">How far it reaches from there.</param>
     /// <param name="colour">Linear light.</param>
-    /// <param name="texture">How much its light varies, as of leaves.</param>
     public void Draw(
         Func<double, double, bool> isIn, double x, double y, double reach,
-        (double Red, double Green, double Blue) colour, double texture = 0)
+        (double Red, double Green, double Blue) colour)
     {
-        Func<double, double, double> leaves = Noise(3);
         ForPixels(x, y, reach, (column, row) =>
         {
             int hits = 0;
             for (int s = 0; s < Samples * Samples; s++)
                 hits += isIn(column + PlaceOf(s % Samples), row + PlaceOf(s / Samples)) ? 1 : 0;
             double part = hits / (double)(Samples * Samples);
-            double light = 1 + (texture * leaves(column, row));
             int at = ((row * Width) + column) * 3;
             Set(
                 at,
-                _light[at] + (part * ((light * colour.Red) - _light[at])),
-                _light[at + 1] + (part * ((light * colour.Green) - _light[at + 1])),
-                _light[at + 2] + (part * ((light * colour.Blue) - _light[at + 2])));
+                _light[at] + (part * (colour.Red - _light[at])),
+                _light[at + 1] + (part * (colour.Green - _light[at + 1])),
+                _light[at + 2] + (part * (colour.Blue - _light[at + 2])));
         });
     }
 
@@ -131,7 +128,8 @@ internal sealed class DrawnScene
     {
         for (int row = Math.Max(0, (int)(y - reach)); row <= Math.Min(Height - 1, (int)(y + reach) + 1); row++)
         {
-            for (int column = Math.Max(0, (int)(x - reach)); column <= Math.Min(Width - 1, (int)(x + reach) + 1); column++)
+            int last = Math.Min(Width - 1, (int)(x + reach) + 1);
+            for (int column = Math.Max(0, (int)(x - reach)); column <= last; column++)
                 action(column, row);
         }
     }
@@ -152,7 +150,8 @@ internal sealed class DrawnScene
         return (x, y) =>
         {
             int at = ((int)(y / size) * columns) + (int)(x / size);
-            (double u, double v) = (Smooth((x / size) - Math.Floor(x / size)), Smooth((y / size) - Math.Floor(y / size)));
+            double u = Smooth((x / size) - Math.Floor(x / size));
+            double v = Smooth((y / size) - Math.Floor(y / size));
             double top = grid[at] + (u * (grid[at + 1] - grid[at]));
             double bottom = grid[at + columns] + (u * (grid[at + columns + 1] - grid[at + columns]));
             return top + (v * (bottom - top));

@@ -7,7 +7,8 @@ namespace Rabit.Uav.ImageProcessing;
 /// Calls the detector, which may be the user's: measures its time, survives what it throws, and leaves out what is not
 /// valid. Fixed memory; for the manager's thread.
 /// </summary>
-internal sealed class DetectorRunner(ITargetDetector detector, TimeSpan budget, int maxDetections, Func<TimeSpan> clock)
+internal sealed class DetectorRunner(
+    ITargetDetector detector, TimeSpan budget, int maxDetections, Func<TimeSpan> clock, bool keepsCut = false)
 {
     public const string Failed = "the detector failed";
     private const string OverBudget = "the detector took longer than its time budget";
@@ -79,13 +80,13 @@ internal sealed class DetectorRunner(ITargetDetector detector, TimeSpan budget, 
                 continue;
             }
 
-            if (_found[i].IsCut)
+            if (_found[i].IsCut && !keepsCut)
             {
                 Cut++;
                 continue;
             }
 
-            _found[_count++] = _found[i];
+            _found[_count++] = _found[i].IsCut ? CutTarget.Whole(_found[i], input) : _found[i];
         }
     }
 

@@ -74,7 +74,8 @@ internal sealed class PanelHalf
     // Black and white lie beside many a thing, as trousers beside a jacket. Of two halves the outline is not measured.
     private static ColourRange? OtherOf(TargetClass panel, ColourRange colour)
     {
-        if (panel is not { Colour: { } first, SecondColour: { } second, Shape: TargetShape.Any or TargetShape.Rectangle }
+        if (panel.Shape is not (TargetShape.Any or TargetShape.Rectangle)
+            || panel is not { Colour: { } first, SecondColour: { } second }
             || PanelColours.IsNeutral(first) || PanelColours.IsNeutral(second))
             return null;
         return CombinedTargetDetector.AreAlike(first, colour) ? second

@@ -42,8 +42,9 @@ public struct TargetDetection
     public PixelCovariance Covariance { get; set; }
 
     /// <summary>
-    /// Whether the border of the picture may cut a part of it off. Image Processing does not report such a one: it may
-    /// be a part of anything that is larger, and the next pictures show it whole.
+    /// Whether the border of the picture may cut a part of it off; the centre is then that of what is seen. Image
+    /// Processing does not report such a one unless <see cref="ImageProcessingOptions.ReportsCutTargets"/>: it may be a
+    /// part of anything that is larger, and the next pictures show it whole.
     /// </summary>
     public bool IsCut { get; set; }
 }
