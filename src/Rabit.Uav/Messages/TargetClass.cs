@@ -84,8 +84,8 @@ public sealed class TargetClass
 
     /// <summary>
     /// Its outline, for panels of one or two colours: what has another one is then none of it. It can be made out from
-    /// some 12 pixels on, of two colours from 24. Sides are always those of a square of its area. It is for what shows
-    /// its colours all over (<see cref="MinColourShare"/> of 1).
+    /// some 12 pixels on (a cross from 16), of two colours from 24. Sides are always those of a square of its area. It
+    /// is for what shows its colours all over (<see cref="MinColourShare"/> of 1).
     /// </summary>
     /// <value>The default is <see cref="TargetShape.Any"/>.</value>
     public TargetShape Shape { get; init; }
@@ -188,7 +188,8 @@ public sealed class TargetClass
         => Shape == TargetShape.Any ? null
             : Shape is < TargetShape.Any or > TargetShape.Triangle ? $"has the {nameof(Shape)} {Shape}, which is none"
             : Marker is not null || Template is not null || HotSpot is not null
-                ? $"has the {nameof(Shape)} {Shape} and a marker, a template or a hot spot; it can only have one of them"
+                ? $"has the {nameof(Shape)} {Shape} and a marker, a template or a hot spot; "
+                    + "it can only have one of them"
             : Colour is null ? $"has the {nameof(Shape)} {Shape} and no {nameof(Colour)}, which it is seen by"
             : MinColourShare < 1 ? FormattableString.Invariant(
                 $"has the {nameof(Shape)} {Shape} and a {nameof(MinColourShare)} of {MinColourShare}; what has a shape shows its colours all over, 1")

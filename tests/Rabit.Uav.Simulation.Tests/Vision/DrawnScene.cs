@@ -81,23 +81,6 @@ internal sealed class DrawnScene
         });
     }
 
-    /// <summary>Where what is seen of a form has its centre, and how many pixels are seen.</summary>
-    public static (double X, double Y, double Pixels) CentreOf(
-        Func<double, double, bool> isSeen, double x, double y, double reach)
-    {
-        (double sum, double sumX, double sumY) = (0, 0, 0);
-        ForPixels(x, y, reach, (column, row) =>
-        {
-            for (int s = 0; s < Samples * Samples; s++)
-            {
-                (double u, double v) = (column + PlaceOf(s % Samples), row + PlaceOf(s / Samples));
-                if (isSeen(u, v))
-                    (sum, sumX, sumY) = (sum + 1, sumX + u, sumY + v);
-            }
-        });
-        return (sumX / sum, sumY / sum, sum / (Samples * Samples));
-    }
-
     /// <summary>The picture: blur in pixels, one standard deviation; light by which all is multiplied.</summary>
     public byte[] Finish(double blur, double light, int jpegQuality)
     {
