@@ -24,6 +24,8 @@ public enum SeededBatchFault
     /// <summary>The tail is moved by a write, not by a swap.</summary>
     NoSwap,
 
-    /// <summary>The receiver goes by the tail, not by the sequences: a place is reserved before it is written.</summary>
+    /// <summary>
+    /// The receiver goes by the tail, not by the sequences: places are reserved before they are written.
+    /// </summary>
     ReceiverByTheTail,
 }

@@ -25,7 +25,9 @@ internal sealed class KernelThread(int id)
         }
     }
 
-    /// <summary>How often it has gone to sleep by itself: once more where a sleep in the kernel was interrupted.</summary>
+    /// <summary>
+    /// How often it has gone to sleep by itself: once more where a sleep in the kernel was interrupted.
+    /// </summary>
     public long Sleeps
     {
         get
