@@ -78,8 +78,8 @@ public sealed class PeriodContractInRealTime() : PeriodContract(TimeKind.Real)
 {
     /// <summary>
     /// However late the machine is: the deadline of each unit of work is when it began less how late it was, which the
-    /// status keeps to the tick, and all deadlines are whole periods apart. A grid that began anew with a wake, or with
-    /// each unit of work, would be off by when that came.
+    /// status keeps to the tick, and all deadlines are whole periods apart. A grid that began again with a wake, or
+    /// with each unit of work, would be off by when that came.
     /// </summary>
     [Fact, Trait("Clause", "1.3")]
     public void Period_WokenInBetweenOnRealThreads_HasAllDeadlinesOnOneGrid()
