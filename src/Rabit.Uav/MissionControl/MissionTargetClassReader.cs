@@ -2,6 +2,7 @@ using System;
 using System.Collections.Immutable;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using System.Text.Json;
 using Rabit.Uav.Json;
 using Rabit.Uav.Messages;
@@ -14,6 +15,10 @@ internal static class MissionTargetClassReader
 {
     // Also the sizes that a class has if the file says none.
     private static readonly TargetClass Default = new("default");
+
+    // The first one where the file says none.
+    private static readonly TargetShape[] Shapes =
+        [TargetShape.Any, TargetShape.Rectangle, TargetShape.Circle, TargetShape.Cross, TargetShape.Triangle];
 
     /// <param name="fields">Of the mission.</param>
     /// <param name="folder">Where files are that it names without a folder.</param>
@@ -67,9 +72,10 @@ internal static class MissionTargetClassReader
     }
 
     private static TargetShape ReadShape(JsonFields one)
-        => one.Choice("shape", Enum.GetNames(typeof(TargetShape))) is { } shape
-            ? (TargetShape)Enum.Parse(typeof(TargetShape), shape)
-            : TargetShape.Any;
+    {
+        string? name = one.Choice("shape", [.. Shapes.Select(s => s.ToString())]);
+        return Shapes.FirstOrDefault(s => string.Equals(s.ToString(), name, StringComparison.Ordinal));
+    }
 
     private static TargetMarker? ReadMarker(JsonFields one)
     {
