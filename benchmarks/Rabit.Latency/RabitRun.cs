@@ -11,12 +11,12 @@ internal static class RabitRun
         => engine == WaitEngine.Futex ? "Rabit, futex engine" : "Rabit, event engine";
 
     // A run that is starved beside much other work is no run that does not end.
-    private static readonly TimeSpan Patience = TimeSpan.FromMinutes(2);
+    private static readonly TimeSpan StopTimeLimit = TimeSpan.FromMinutes(2);
 
     public static RabitReactor Create(WaitEngine engine, bool keepsStatistics = true) => new(new ReactorOptions
     {
-        StopTimeout = Patience,
-        TotalStopTimeout = Patience,
+        StopTimeout = StopTimeLimit,
+        TotalStopTimeout = StopTimeLimit,
         Time = new RealTime { WaitEngine = engine },
         StopsOnSignals = false,
         KeepsStatistics = keepsStatistics,
