@@ -10,8 +10,7 @@ public sealed class LinuxX64FactAttribute : FactAttribute
 {
     public LinuxX64FactAttribute()
     {
-        if (!RuntimeInformation.IsOSPlatform(OSPlatform.Linux)
-            || RuntimeInformation.ProcessArchitecture != Architecture.X64)
+        if (!OperatingSystem.IsLinux() || RuntimeInformation.ProcessArchitecture != Architecture.X64)
             Skip = "The last bits of sines are those of glibc on x64.";
     }
 }

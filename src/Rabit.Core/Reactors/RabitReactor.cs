@@ -147,14 +147,12 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
         {
             try
             {
-                ReactorResult result = Run();
-                cancellation.Dispose();
-                ended.SetResult(result);
+                using (cancellation)
+                    ended.SetResult(Run());
             }
             catch (Exception e)
             {
                 // It is for the caller that awaits the task.
-                cancellation.Dispose();
                 ended.SetException(e);
             }
         })
