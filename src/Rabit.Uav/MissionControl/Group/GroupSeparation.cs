@@ -57,12 +57,22 @@ internal sealed class GroupSeparation(GroupMembers members)
     /// <param name="flight">The state of the mission; with a plan.</param>
     /// <param name="own">What we report.</param>
     public byte? FindBelow(MissionFlight flight, in GroupReport own)
+        => FindBetween(flight, double.NegativeInfinity, own.Position.AltitudeAmslMetres);
+
+    /// <summary>A vehicle above us, through whose layer we would climb here; null where there is none.</summary>
+    /// <param name="flight">The state of the mission; with a plan.</param>
+    /// <param name="own">What we report.</param>
+    public byte? FindAbove(MissionFlight flight, in GroupReport own) => FindBetween(
+        flight, own.Position.AltitudeAmslMetres, own.SearchAltitudeAmslMetres + GroupOptions.SeparationMetres);
+
+    // Over or under this place, or soon.
+    private byte? FindBetween(MissionFlight flight, double minAltitudeAmslMetres, double maxAltitudeAmslMetres)
     {
         foreach ((byte id, GroupTraffic traffic) in members.PresentTraffic(flight.Now))
         {
-            GeodeticPosition at = traffic.Report.Position;
-            bool isBelow = at.AltitudeAmslMetres < own.Position.AltitudeAmslMetres;
-            if (!isBelow || !IsFlying(traffic.Report))
+            double altitude = traffic.Report.Position.AltitudeAmslMetres;
+            bool isBetween = altitude >= minAltitudeAmslMetres && altitude < maxAltitudeAmslMetres;
+            if (!isBetween || !IsFlying(traffic.Report))
                 continue;
             for (double s = 0; s <= HorizonSeconds; s += StepSeconds)
             {

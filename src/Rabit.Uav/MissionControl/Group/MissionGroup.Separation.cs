@@ -32,6 +32,9 @@ internal sealed partial class MissionGroup
     /// <summary>The vehicle through whose layer we would sink here; null where there is none.</summary>
     public byte? FindBelow(MissionFlight flight) => Separation.FindBelow(flight, _own);
 
+    /// <summary>The vehicle through whose layer we would climb here; null where there is none.</summary>
+    public byte? FindAbove(MissionFlight flight) => Separation.FindAbove(flight, _own);
+
     /// <summary>Whether another vehicle may be in the way of a return, which gives way to none.</summary>
     public bool IsAnyOutOfLayer(MissionFlight flight) => Separation.IsAnyOutOfLayer(flight.Now);
 

@@ -10,12 +10,17 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
     private const double LowMetres = 7;
     private const double MinClimbRate = 0.7;
 
+    // For others of the group above: who flies a lane has passed by then, and gives way from then on.
+    private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(10);
+    private static readonly TimeSpan RetryAfter = TimeSpan.FromSeconds(2);
+
     private readonly TransitPath _path = new();
     private bool _isCameraPointed;
     private TimeSpan _limit;
     private double _speed;
     private PlanePoint? _climbAt;
     private double _climbYaw;
+    private bool _mayWait;
 
     public override void Enter(MissionFlight flight, MissionEvent by, string reason)
     {
@@ -33,6 +38,7 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
         // A mission that continues may have been left low: what lies in the way is flown over.
         _climbAt = climb > LowMetres ? flight.Position : null;
         _climbYaw = flight.Vehicle.Attitude.Yaw.Radians;
+        _mayWait = _climbAt is not null;
     }
 
     /// <summary>To the next lane; while it climbs it waits.</summary>
@@ -60,7 +66,10 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
             return new MissionStep(MissionEvent.AtArea, "to the circle before the first lane");
         if (_climbAt is { } at)
         {
-            Climb(flight, at);
+            if (IsWaiting(flight, inPhase))
+                flight.SetGoal(VehicleCommandKind.Hold, "hold", RetryAfter);
+            else
+                Climb(flight, at);
             return MissionStep.Stay;
         }
 
@@ -76,6 +85,21 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
         return PathFollower.HasArrived(flight, lane.Start, flight.Mission.HeightMetres)
             ? new MissionStep(MissionEvent.AtArea, "at the first lane")
             : MissionStep.Stay;
+    }
+
+    // In its layer a vehicle sees who stays below it, but not that it is about to climb; once it climbs it goes on.
+    private bool IsWaiting(MissionFlight flight, TimeSpan inPhase)
+    {
+        if (!_mayWait)
+            return false;
+        if (inPhase <= MaxWait && flight.Group?.FindAbove(flight) is { } other)
+        {
+            flight.Text = $"climbing: waits for vehicle {MissionNumbers.Of(other)}, which is above";
+            return true;
+        }
+
+        _limit += inPhase;
+        return _mayWait = false;
     }
 
     private void Climb(MissionFlight flight, PlanePoint at)

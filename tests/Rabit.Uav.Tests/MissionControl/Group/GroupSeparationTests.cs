@@ -25,6 +25,7 @@ public sealed class GroupSeparationTests(ITestOutputHelper output)
     [Theory]
     [InlineData(310)]
     [InlineData(362)]
+    [InlineData(382)]
     public void Flight_OneSinksIntoTheLayerOfAnother_KeepsTheVehiclesApart(int seed)
     {
         using var flight = new SeparationFlight(seed, sinks: true);
