@@ -147,19 +147,17 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
         {
             try
             {
+                ReactorResult result;
                 using (cancellation)
-                    ended.SetResult(Run());
+                    result = Run();
+                ended.SetResult(result);
             }
             catch (Exception e)
             {
                 // It is for the caller that awaits the task.
                 ended.SetException(e);
             }
-        })
-        {
-            Name = Source,
-            IsBackground = true,
-        };
+        }) { Name = Source, IsBackground = true };
         thread.Start();
         return ended.Task;
     }

@@ -82,7 +82,9 @@ public sealed class ImageProcessingOptions
     /// <summary>
     /// Whether targets that the border of the picture cuts are reported too, for an application with single pictures
     /// and not a flight: where their middle would lie by the sizes of their class, with a covariance that has what is
-    /// not known of that. Each may be a part of anything that is larger, so their class is less sure.
+    /// not known of that. Each may be a part of anything that is larger, so their class is less sure. Of classes that
+    /// are found by one colour and form; panels of two colours or black and white, markers and templates are not found
+    /// where the border cuts them. The size is that of the part that is seen.
     /// </summary>
     /// <value>The default is false: a camera in flight sees them whole a moment later.</value>
     public bool ReportsCutTargets { get; set; }

@@ -88,7 +88,7 @@ internal static class MissionPlanReader
                 HeightMetres = revisit.Number("heightMetres"),
                 RadiusMetres = revisit.Number("radiusMetres") ?? 10,
                 MaxWayFraction = revisit.Number("maxWayFraction") ?? 1.0 / 3,
-                FollowTime = TimeSpan.OfSeconds(revisit.Number("followSeconds") ?? 20),
+                FollowTime = ToTime(revisit.Number("followSeconds") ?? 20),
                 FollowSpeedMetresPerSecond = revisit.Number("followSpeedMetresPerSecond"),
             },
             CameraPitch = Angle.FromDegrees(camera.Number("pitchDegrees") ?? -90),

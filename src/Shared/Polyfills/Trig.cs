@@ -1,3 +1,5 @@
+#pragma warning disable RS0030   // This is the twin of what is banned.
+
 namespace System;
 
 /// <summary>

@@ -42,10 +42,12 @@ public sealed unsafe class InheritanceEntryTests
     }
 
     /// <summary>Between the kernel's answer and the look another thread has taken the lock over.</summary>
-    [Fact, Trait("Clause", "1.8")]
-    public void Enter_HolderIsAliveAfterAll_IsNotReplaced()
+    [Theory, Trait("Clause", "1.8")]
+    [InlineData(Other)]
+    [InlineData(Other | Waiters)]
+    public void Enter_HolderIsAliveAfterAll_IsNotReplaced(int word)
     {
-        Kernel kernel = Enter(Other, SystemErrors.NoSuchProcess, 0);
+        Kernel kernel = Enter(word, SystemErrors.NoSuchProcess, 0);
 
         Assert.Equal((2, 1), (kernel.Calls, kernel.Looks));
         Assert.Equal(Own, kernel.Word);

@@ -96,25 +96,29 @@ public sealed class DrawnShapesTests(ITestOutputHelper output)
         {
             List<(DrawnForm Form, int Colour)> forms = Draw(classes, seed + picture, side, out byte[] pixels);
             int count = Detect(detector, classes, pixels, side);
+            var formsOf = new int[count];
             foreach ((DrawnForm form, int colour) in forms)
             {
                 int row = Array.IndexOf(Shapes, form.Shape);
+                int here = 0;
                 (int column, double error) = (Shapes.Length, 0);
                 for (int i = 0; i < count; i++)
                 {
                     double off = Math.Sqrt(Square(_found[i].CentreX - form.X) + Square(_found[i].CentreY - form.Y));
                     if (off > side / 2)
                         continue;
+                    (formsOf[i], here) = (formsOf[i] + 1, here + 1);
                     string[] words = _found[i].Class.ToString().Split(' ');
                     Assert.Equal(Colours[colour].Name, words[0]);
                     (column, error) = (Array.FindIndex(Shapes, s => s.ToString() == words[1]), off);
                 }
 
                 reported[row, column]++;
+                others += Math.Max(0, here - 1);
                 (squares, right) = column == row ? (squares + (error * error), right + 1) : (squares, right);
             }
 
-            others += Math.Max(0, count - forms.Count);
+            others += formsOf.Count(f => f == 0);
         }
 
         double rms = Math.Sqrt(squares / right);

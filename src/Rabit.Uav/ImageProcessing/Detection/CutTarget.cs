@@ -18,7 +18,9 @@ internal static class CutTarget
     // Of a square that stands on its corner, the box is so much wider than its side: in the mean of all directions.
     private const double BoxOfSide = 1.2;
 
-    /// <summary>The same with the middle of the whole, and a covariance with what is not known of that.</summary>
+    /// <summary>
+    /// The same with the middle and the box of the whole, and a covariance with what is not known of that.
+    /// </summary>
     /// <param name="seen">What was detected, valid.</param>
     /// <param name="input">Of the picture.</param>
     public static TargetDetection Whole(in TargetDetection seen, in DetectorInput input)
@@ -36,6 +38,8 @@ internal static class CutTarget
             down, seen.HeightPixels, across == 0 ? seen.WidthPixels : null, target, pixel);
         whole.CentreX = Within(seen.CentreX + offX, input.Width, ref varianceX);
         whole.CentreY = Within(seen.CentreY + offY, input.Height, ref varianceY);
+        whole.WidthPixels += 2 * Math.Abs(offX);
+        whole.HeightPixels += 2 * Math.Abs(offY);
         PixelCovariance own = seen.Covariance;
         whole.Covariance = new PixelCovariance(
             own.ColumnColumn + varianceX, own.ColumnRow, own.RowRow + varianceY);

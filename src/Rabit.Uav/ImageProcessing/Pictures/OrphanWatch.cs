@@ -9,7 +9,8 @@ namespace Rabit.Uav.ImageProcessing;
 /// <summary>
 /// Ends a program, with what it has started, once this process was killed and can no longer do it: a shell waits for
 /// the end of a pipe that only this process holds, which the system closes however it ends. On Linux with
-/// <c>/bin/sh</c>; elsewhere there is none.
+/// <c>/bin/sh</c>; elsewhere there is none. What the program has started is found where the kernel lists children
+/// (CONFIG_PROC_CHILDREN, as that of Debian does); else the program alone is ended.
 /// </summary>
 /// <remarks>
 /// The parent-death signal of Linux would need no second process, but is sent at the end of the thread that started
@@ -54,6 +55,10 @@ internal sealed class OrphanWatch : IDisposable
             {
                 UseShellExecute = false,
                 RedirectStandardInput = true,
+
+                // Not used; else the runtime takes it for a program that has the terminal, and sets that up for it.
+                RedirectStandardOutput = true,
+                RedirectStandardError = true,
             },
         };
         try

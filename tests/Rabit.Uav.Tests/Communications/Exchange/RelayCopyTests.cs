@@ -36,6 +36,21 @@ public sealed class RelayCopyTests
     }
 
     [Fact]
+    public void Relay_SenderSendsAgainWhileTheRadioHasNoRoom_TheRadioGetsItOnce()
+    {
+        MessageExchange relay = Make(Relay, announces: false);
+        byte[] fragment = Fragment(number: 1, lifetimeSeconds: 5);
+        relay.Take(fragment, Sender, TimeSpan.Zero);
+        Assert.Equal([Telemetry], Send(relay, 0.1));
+        relay.Take(fragment, Sender, TimeSpan.FromMilliseconds(500));
+        Assert.Equal([Telemetry], Send(relay, 0.6));
+
+        _free = Telemetry | Radio;
+        Assert.Equal([Radio], Send(relay, 1));
+        Assert.Equal(0, relay.Counters.CopiesHeldBack);
+    }
+
+    [Fact]
     public void Relay_CopyThatWaited_IsAsOldAsItIs()
     {
         MessageExchange relay = Make(Relay, announces: false);

@@ -53,7 +53,10 @@ internal sealed class ExchangeRelay(ExchangeRandom random, Func<VehicleMessageCl
     {
         if (_known.TryGetValue(key, out TimeSpan last) && now - last < Known)
             return false;
-        if (_waiting.Count == MaxWaiting && !MakeRoom())
+
+        // One that its sender sends again while the first still waits takes that one's place.
+        int same = _waiting.FindIndex(w => w.Key == key);
+        if (same < 0 && _waiting.Count == MaxWaiting && !MakeRoom())
             return false;
         if (_known.Count == MaxKnown)
             Forget(now);
@@ -61,29 +64,34 @@ internal sealed class ExchangeRelay(ExchangeRandom random, Func<VehicleMessageCl
         byte[] copy = datagram.ToArray();
         copy[ExchangeWire.HopsOffset(kind)] = hops;
         int waitMs = MinWaitMs + random.Next(MaxWaitMs - MinWaitMs + 1);
-        _waiting.Add(new Waiting
+        var waiting = new Waiting
         {
+            Key = key,
             Bytes = copy,
             Kind = kind,
             Class = messageClass,
             CameAt = now,
             Due = now + TimeSpan.FromTicks(waitMs * TimeSpan.TicksPerMillisecond),
-        });
+        };
+        if (same < 0)
+            _waiting.Add(waiting);
+        else
+            _waiting[same] = waiting;
         return true;
     }
 
     /// <summary>Writes the next one that is due where a link has room for it; what is too old is dropped.</summary>
     /// <param name="now">The time.</param>
+    /// <param name="isCopy">Whether one that went over another link before is asked for, or one that did not.</param>
     /// <param name="to">Where it goes.</param>
     /// <param name="datagram">Its length, and over which links.</param>
-    /// <param name="isCopy">Whether it went over another link before.</param>
-    public bool TryTake(TimeSpan now, Span<byte> to, out ExchangeDatagram datagram, out bool isCopy)
+    public bool TryTake(TimeSpan now, bool isCopy, Span<byte> to, out ExchangeDatagram datagram)
     {
-        (datagram, isCopy) = (default, false);
+        datagram = default;
         for (int i = 0; i < _waiting.Count; i++)
         {
             Waiting waiting = _waiting[i];
-            if (waiting.Due > now)
+            if (waiting.Due > now || (waiting.Carried != 0) != isCopy)
                 continue;
             LinkRoom room = roomFor(waiting.Class);
             if (room.IsCarried(waiting.Carried) || !TryWrite(waiting, now, to))
@@ -96,7 +104,6 @@ internal sealed class ExchangeRelay(ExchangeRandom random, Func<VehicleMessageCl
             if (links == 0)
                 continue;
             datagram = new ExchangeDatagram { Length = waiting.Bytes.Length, Class = waiting.Class, Links = links };
-            isCopy = waiting.Carried != 0;
             waiting.Carried |= links;
             if (room.IsCarried(waiting.Carried))
                 _waiting.RemoveAt(i);
@@ -148,6 +155,8 @@ internal sealed class ExchangeRelay(ExchangeRandom random, Func<VehicleMessageCl
 
     private sealed class Waiting
     {
+        public long Key { get; init; }
+
         public byte[] Bytes { get; init; } = [];
 
         public ExchangeKind Kind { get; init; }

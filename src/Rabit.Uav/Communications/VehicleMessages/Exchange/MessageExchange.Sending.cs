@@ -20,14 +20,15 @@ internal sealed partial class MessageExchange
             return false;
         if (TryAcknowledge(now, to, out datagram))
             return true;
-        if (_relay.TryTake(now, to, out datagram, out bool isCopy))
+        if (_relay.TryTake(now, isCopy: false, to, out datagram))
         {
-            if (!isCopy)
-                _counters.Relayed++;
+            _counters.Relayed++;
             return true;
         }
 
-        return TrySendFragment(now, to, out datagram) || TryAnnounce(now, to, out datagram);
+        // What a slow link has not had yet of others must not keep it from what is our own.
+        return TrySendFragment(now, to, out datagram) || TryAnnounce(now, to, out datagram)
+            || _relay.TryTake(now, isCopy: true, to, out datagram);
     }
 
     /// <summary>When <see cref="TryNext"/> is to be asked again, if nothing comes in or is posted before.</summary>
