@@ -1,22 +1,47 @@
+using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
+using System.Threading;
 
 namespace Rabit.Uav.Tests;
 
-/// <summary>A port of this computer that is not in use at the moment.</summary>
+/// <summary>
+/// A port of this computer that is not in use at the moment: below those that the system gives to sockets which name
+/// none, so that no connection of another test gets it before it is used. Any thread.
+/// </summary>
 internal static class FreePort
 {
-    public static int Udp()
+    private const int First = 20_000;
+    private const int Count = 10_000;
+
+    // Tests of one process take turns; those of another one begin elsewhere.
+    private static int _turn = OwnProcessId() * 97;
+
+    public static int Udp() => Find(SocketType.Dgram, ProtocolType.Udp);
+
+    public static int Tcp() => Find(SocketType.Stream, ProtocolType.Tcp);
+
+    private static int Find(SocketType type, ProtocolType protocol)
     {
-        using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
-        socket.Bind(new IPEndPoint(IPAddress.Loopback, 0));
-        return ((IPEndPoint)socket.LocalEndPoint!).Port;
+        while (true)
+        {
+            int port = First + ((Interlocked.Increment(ref _turn) & int.MaxValue) % Count);
+            using var socket = new Socket(AddressFamily.InterNetwork, type, protocol);
+            try
+            {
+                socket.Bind(new IPEndPoint(IPAddress.Loopback, port));
+                return port;
+            }
+            catch (SocketException)
+            {
+                // In use: the next one.
+            }
+        }
     }
 
-    public static int Tcp()
+    private static int OwnProcessId()
     {
-        using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
-        socket.Bind(new IPEndPoint(IPAddress.Loopback, 0));
-        return ((IPEndPoint)socket.LocalEndPoint!).Port;
+        using var own = Process.GetCurrentProcess();
+        return own.Id;
     }
 }

@@ -154,10 +154,10 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
             }
             catch (Exception e)
             {
-                // It is for the caller that awaits the task.
                 ended.SetException(e);
             }
-        }) { Name = Source, IsBackground = true };
+        })
+        { Name = Source, IsBackground = true };
         thread.Start();
         return ended.Task;
     }

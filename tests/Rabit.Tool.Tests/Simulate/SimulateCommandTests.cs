@@ -2,14 +2,13 @@ using System;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
-using System.Net;
-using System.Net.Sockets;
 using System.Text.Json;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Links;
 using Rabit.Tests.Shared;
 using Rabit.Uav.Simulation.Tests.Sample;
+using Rabit.Uav.Tests;
 using Xunit;
 
 namespace Rabit.Tool.Tests.Simulate;
@@ -20,7 +19,7 @@ public class SimulateCommandTests
     [Fact]
     public void Udp_GroundStationComesLate_IsConnectedAnsweredAndStoppedInOrder()
     {
-        int port = FreePort();
+        int port = FreePort.Udp();
         string truth = Path.Combine(Path.GetTempPath(), $"rabit-truth-{Guid.NewGuid():N}.json");
         using var vehicle = new SampleProcess(
             "Rabit.Tool", "simulate", "--link", $"udpout:127.0.0.1:{port}", "--seed", "3", "--truth-out", truth);
@@ -50,7 +49,7 @@ public class SimulateCommandTests
     [Fact]
     public void Interrupt_RightAfterTheStart_EndsIt()
     {
-        using var vehicle = new SampleProcess("Rabit.Tool", "simulate", "--link", $"udpout:127.0.0.1:{FreePort()}");
+        using var vehicle = new SampleProcess("Rabit.Tool", "simulate", "--link", $"udpout:127.0.0.1:{FreePort.Udp()}");
         vehicle.WaitUntil(() => vehicle.Output.Contains("Ctrl-C ends it", StringComparison.Ordinal));
         vehicle.Interrupt();
         Assert.Equal(0, vehicle.WaitForEnd());
@@ -60,7 +59,7 @@ public class SimulateCommandTests
     [Fact]
     public void TcpServerAndSystemId_StationsConnectOneAfterTheOther_HeartbeatsOfThatSystem()
     {
-        int port = FreePort();
+        int port = FreePort.Tcp();
         using var vehicle = new SampleProcess(
             "Rabit.Tool", "simulate", "--link", $"tcpin:127.0.0.1:{port}", "--system-id", "3", "--autopilot", "px4");
         vehicle.WaitUntil(() => vehicle.Output.Contains("Ctrl-C ends it", StringComparison.Ordinal));
@@ -121,7 +120,7 @@ public class SimulateCommandTests
     {
         string file = Path.Combine(Path.GetTempPath(), $"rabit-truth-{Guid.NewGuid():N}.json");
         using var vehicle = new SampleProcess(
-            "Rabit.Tool", "simulate", "--link", $"udpout:127.0.0.1:{FreePort()}", "--group", "2",
+            "Rabit.Tool", "simulate", "--link", $"udpout:127.0.0.1:{FreePort.Udp()}", "--group", "2",
             "--system-id", systemId, "--truth-out", file);
         vehicle.WaitUntil(() => vehicle.Output.Contains("on the ground", StringComparison.Ordinal));
         vehicle.Interrupt();
@@ -174,12 +173,5 @@ public class SimulateCommandTests
         }
 
         throw new Xunit.Sdk.XunitException($"no {typeof(T).Name}");
-    }
-
-    private static int FreePort()
-    {
-        using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
-        socket.Bind(new IPEndPoint(IPAddress.Loopback, 0));
-        return ((IPEndPoint)socket.LocalEndPoint!).Port;
     }
 }
