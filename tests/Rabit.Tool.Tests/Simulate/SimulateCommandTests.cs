@@ -70,7 +70,8 @@ public class SimulateCommandTests
         }
 
         vehicle.Interrupt();
-        Assert.Equal(0, vehicle.WaitForEnd());
+        int code = vehicle.WaitForEnd();
+        Assert.True(code == 0, $"exit code {code}: {vehicle.Output}");
     }
 
     [Theory]
