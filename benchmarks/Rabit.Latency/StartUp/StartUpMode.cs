@@ -28,6 +28,7 @@ internal static class StartUpMode
             empty,
             "base");
         table.RequireDifference(firstValue, empty, Processor, MaxMoreMilliseconds);
+        table.RequireDifference(run, empty, Processor, MaxMoreMilliseconds);
         return table;
     }
 
