@@ -1,4 +1,5 @@
 using System;
+using Rabit.Benchmarks.Uav;
 using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
@@ -8,17 +9,13 @@ using Rabit.Uav.Messages;
 namespace Rabit.Vision.Speed;
 
 /// <summary>
-/// A pixel that looks from 1600 m, 2.7 degrees below the horizon, across a grid of one degree with one post of 3400 m:
-/// the whole way to the ground lies below the highest post of the grid.
+/// A pixel that looks 2.7 degrees below the horizon across <see cref="TerrainWithPeak"/>: the whole way to the ground
+/// lies below the highest post of the grid.
 /// </summary>
 internal sealed class TerrainPixel
 {
-    private const int Posts = 1201;
     private const double Column = 319.5;
     private const double Row = 239.5;
-
-    private static readonly Angle Step = Angle.FromDegrees(1.0 / 1200);
-    private static readonly GeodeticPosition Vehicle = GeodeticPosition.FromDegrees(47.1, 8.2, 1600);
 
     private readonly PixelGeolocator _locator;
     private readonly ImagingCommand _command = new()
@@ -29,10 +26,6 @@ internal sealed class TerrainPixel
 
     public TerrainPixel()
     {
-        float[] posts = new float[Posts * Posts];
-        for (int i = 0; i < posts.Length; i++)
-            posts[i] = 100 + (i % 7);
-        posts[posts.Length - 1000] = 3400;
         _locator = new PixelGeolocator(new ImageProcessingOptions
         {
             Camera = new CameraModel
@@ -45,11 +38,10 @@ internal sealed class TerrainPixel
                 CentreY = Row,
             },
             Mount = new CameraMount(),
-            Terrain = new TerrainGrid(
-                new GeographicPoint(Angle.FromDegrees(47), Angle.FromDegrees(8)), Step, Step, Posts, Posts, posts),
+            Terrain = TerrainWithPeak.Make(),
             MinDepression = Angle.FromDegrees(1),
         });
-        _locator.Add(new PoseSample { Kind = PoseSampleKind.Position, Position = Vehicle });
+        _locator.Add(new PoseSample { Kind = PoseSampleKind.Position, Position = TerrainWithPeak.Viewer });
         _locator.Add(new PoseSample { Kind = PoseSampleKind.Attitude });
         Locate();
     }
@@ -63,7 +55,7 @@ internal sealed class TerrainPixel
         GeolocationResult place = _locator.Locate(default, _command, Column, Row);
         if (place.Error != GeolocationError.None)
             throw new InvalidOperationException($"The pixel has no place: {place.Error}.");
-        NedPosition ground = LocalNedFrame.IgnoringGeoid(Vehicle).ToNed(place.Position);
+        NedPosition ground = LocalNedFrame.IgnoringGeoid(TerrainWithPeak.Viewer).ToNed(place.Position);
         Kilometres = NedPosition.Origin.HorizontalDistanceTo(ground) / 1000;
     }
 }

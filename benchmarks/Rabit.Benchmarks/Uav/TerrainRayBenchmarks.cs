@@ -10,23 +10,12 @@ namespace Rabit.Benchmarks.Uav;
 /// </summary>
 public class TerrainRayBenchmarks
 {
-    private const int Posts = 1201;
-    private static readonly Angle Step = Angle.FromDegrees(1.0 / 1200);
-
-    private readonly LocalNedFrame _frame = LocalNedFrame.IgnoringGeoid(GeodeticPosition.FromDegrees(47.1, 8.2, 1600));
+    private readonly LocalNedFrame _frame = LocalNedFrame.IgnoringGeoid(TerrainWithPeak.Viewer);
     private readonly GroundRay _ray = new(default, new NedVector(20_000, 24_000, 1500));
     private TerrainGrid _terrain = null!;
 
     [GlobalSetup]
-    public void MakeGrid()
-    {
-        float[] posts = new float[Posts * Posts];
-        for (int i = 0; i < posts.Length; i++)
-            posts[i] = 100 + (i % 7);
-        posts[posts.Length - 1000] = 3400;
-        _terrain = new TerrainGrid(
-            new GeographicPoint(Angle.FromDegrees(47), Angle.FromDegrees(8)), Step, Step, Posts, Posts, posts);
-    }
+    public void MakeGrid() => _terrain = TerrainWithPeak.Make();
 
     [Benchmark(Baseline = true)]
     public NedPosition Level()

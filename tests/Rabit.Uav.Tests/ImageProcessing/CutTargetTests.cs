@@ -27,7 +27,7 @@ public sealed class CutTargetTests(ITestOutputHelper output)
         var random = new Random(seed);
         var squares = new List<double>();
         var found = new TargetDetection[16];
-        int shown = 0;
+        (int shown, int grown) = (0, 0);
         for (int picture = 0; picture < 60; picture++)
         {
             var painting = new Painting(seed + picture);
@@ -57,6 +57,15 @@ public sealed class CutTargetTests(ITestOutputHelper output)
             {
                 TargetDetection whole = CutTarget.Whole(seen, input);
                 Assert.Null(DetectionCheck.FindFault(whole, input));
+
+                // The box grows beyond the border alone: its other side stays where it was seen.
+                if (whole.CentreX is > 0 and < Painting.Width - 1)
+                {
+                    Assert.Equal(
+                        2 * Math.Abs(whole.CentreX - seen.CentreX), whole.WidthPixels - seen.WidthPixels, 1e-6);
+                    grown++;
+                }
+
                 (double x, double y) = truth.OrderBy(t => Square(t.X - seen.CentreX) + Square(t.Y - seen.CentreY))
                     .Select(t => (whole.CentreX - t.X, whole.CentreY - t.Y)).First();
                 PixelCovariance p = whole.Covariance;
@@ -69,7 +78,7 @@ public sealed class CutTargetTests(ITestOutputHelper output)
         string what = FormattableString.Invariant(
             $"seed {seed}: {squares.Count} of {shown}, mean NEES {squares.Average():0.00}, {inEllipse:0.000} inside");
         output.WriteLine(what);
-        Assert.True(squares.Count >= 0.8 * shown, what);
+        Assert.True(squares.Count >= 0.8 * shown && grown >= 0.5 * shown, what);
         Assert.True(squares.Average() is >= 0.3 and <= 2.8 && inEllipse >= 0.92, what);
     }
 

@@ -104,6 +104,8 @@ public class MissionPlanTests
         "\"revisit\": {\"followSeconds\": -1}", "revisit.followSeconds is -1; it must be 0 to 3600")]
     [InlineData(
         "\"revisit\": {\"maxWayFraction\": -0.1}", "revisit.maxWayFraction is -0.1; it must be 0 to 10")]
+    [InlineData("\"revisit\": {\"followSeconds\": \"x\"}", "revisit.followSeconds is \"x\"; it must be a number")]
+    [InlineData("\"revisit\": {\"followSeconds\": 1e15}", "revisit.followSeconds is")]
     [InlineData("\"revisit\": {\"heightMetres\": 2}", "revisit.heightMetres is 2; it must be 5 to 120")]
     [InlineData("\"camera\": {\"pitchDegrees\": -91}", "camera.pitchDegrees is -91; it must be -90 to -20")]
     [InlineData("\"limits\": {\"minBatteryFractionAtStart\": 50}",

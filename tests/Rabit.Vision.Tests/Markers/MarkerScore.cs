@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using VisionBench;
 
 namespace Rabit.Vision.Tests.Markers;
 
@@ -34,16 +35,16 @@ internal sealed class MarkerScore
     /// <param name="truths">What is in it; those that do not count may be found or not.</param>
     /// <param name="mayBe">Whether a reading where no truth is may be right all the same.</param>
     public void Add(
-        RgbPicture picture, string name, IReadOnlyList<MarkerTruth> truths, Func<DetectedMarker, bool>? mayBe = null)
+        RgbPicture picture, string name, IReadOnlyList<ListedMarker> truths, Func<DetectedMarker, bool>? mayBe = null)
     {
         int size = picture.Width * picture.Height;
         if (_grey.Length < size)
             _grey = new byte[size];
         GreyPixels.FromRgb(picture.Pixels.AsSpan(0, size * 3), _grey);
         List<DetectedMarker> found = [.. _detector.Find(_grey, picture.Width, picture.Height).ToArray()];
-        foreach (MarkerTruth truth in truths)
+        foreach (ListedMarker truth in truths)
         {
-            int at = found.FindIndex(truth.Is);
+            int at = found.FindIndex(m => truth.Is(m));
             Expected += truth.Counts ? 1 : 0;
             if (at < 0)
                 continue;
@@ -56,7 +57,7 @@ internal sealed class MarkerScore
             .Select(m => $"{name}: {m.Family} {m.Id} at {m.Corners}"));
     }
 
-    private void AddFound(DetectedMarker marker, MarkerTruth truth)
+    private void AddFound(DetectedMarker marker, ListedMarker truth)
     {
         Found++;
         for (int i = 0; i < 4; i++)

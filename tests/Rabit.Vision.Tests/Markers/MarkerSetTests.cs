@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Rabit.Tests.Shared;
+using VisionBench;
 using Xunit;
 using Xunit.Abstractions;
 
@@ -33,7 +34,7 @@ public sealed class MarkerSetTests(ITestOutputHelper output)
             if (entry.GetProperty("set").GetString() == set)
                 score.Add(
                     reader.Load(Path.Combine(Data, file)), file,
-                    [.. MarkerTruth.AllOf(entry.GetProperty("markers"))]);
+                    [.. entry.GetProperty("markers").EnumerateArray().Select(m => MarkerOf(m, m))]);
         }
 
         Check(score, set, expected, atLeast, cornerRms);
@@ -65,7 +66,7 @@ public sealed class MarkerSetTests(ITestOutputHelper output)
             int lastId = entry.GetProperty("group").GetString() == "nasa" ? 0 : 20;
             score.Add(
                 reader.Load(Path.Combine(folder, file)), file,
-                [.. entry.GetProperty("tags").EnumerateArray().Select(TagOf)],
+                [.. entry.GetProperty("tags").EnumerateArray().Select(ListedMarker.OfPhoto)],
                 m => !isComplete && m.Family == MarkerFamily.AprilTag36h11 && m.Id <= lastId);
         }
 
@@ -74,16 +75,6 @@ public sealed class MarkerSetTests(ITestOutputHelper output)
         Assert.Equal(159, score.Expected);
         Assert.True(score.Found >= 155, score.ToString());
         Assert.True(score.CornerMedian <= 0.3, score.ToString());
-    }
-
-    // Corners left bottom, right bottom, right top, left top of a tag that stands on its head against OpenCV's, and
-    // pixels whose centres are halves.
-    private static MarkerTruth TagOf(JsonElement tag)
-    {
-        PicturePoint[] corners = MarkerTruth.PointsOf(tag.GetProperty("corners_lb_rb_rt_lt"), -0.5);
-        return new MarkerTruth(
-            MarkerFamily.AprilTag36h11, tag.GetProperty("id").GetInt32(),
-            [corners[1], corners[0], corners[3], corners[2]], tag.GetProperty("agreed").GetBoolean());
     }
 
     private void CheckFrames(string set, int expected, int atLeast, double cornerRms)
@@ -95,22 +86,17 @@ public sealed class MarkerSetTests(ITestOutputHelper output)
         foreach (JsonElement frame in truth.RootElement.GetProperty("frames").EnumerateArray())
         {
             string file = frame.GetProperty("file").GetString()!;
-            List<MarkerTruth> markers = [.. frame.GetProperty("targets").EnumerateArray()
-                .Where(t => t.GetProperty("class").GetString() == "marker").Select(MarkerOf)];
+            List<ListedMarker> markers = [.. frame.GetProperty("targets").EnumerateArray()
+                .Where(t => t.GetProperty("class").GetString() == "marker")
+                .Select(t => MarkerOf(t.GetProperty("marker"), t))];
             score.Add(reader.Load(Path.Combine(folder, file)), file, markers);
         }
 
         Check(score, set, expected, atLeast, cornerRms);
     }
 
-    private static MarkerTruth MarkerOf(JsonElement target)
-    {
-        JsonElement marker = target.GetProperty("marker");
-        return new MarkerTruth(
-            MarkerTruth.FamilyOf(marker.GetProperty("family").GetString()!), marker.GetProperty("id").GetInt32(),
-            MarkerTruth.PointsOf(marker.GetProperty("corners_px")),
-            target.GetProperty("fraction_visible").GetDouble() >= 0.98);
-    }
+    private static ListedMarker MarkerOf(JsonElement marker, JsonElement target)
+        => ListedMarker.Of(marker, target.GetProperty("fraction_visible").GetDouble());
 
     private void Check(MarkerScore score, string set, int expected, int atLeast, double cornerRms)
     {

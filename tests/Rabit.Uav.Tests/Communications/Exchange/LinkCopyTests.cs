@@ -4,6 +4,7 @@ using System.Linq;
 using Rabit.Uav.Communications;
 using Rabit.Uav.Messages;
 using Xunit;
+using static Rabit.Uav.Tests.Communications.Exchange.TwoLinks;
 
 namespace Rabit.Uav.Tests.Communications.Exchange;
 
@@ -13,23 +14,20 @@ namespace Rabit.Uav.Tests.Communications.Exchange;
 /// </summary>
 public sealed class LinkCopyTests
 {
-    private const ulong Telemetry = 1;
-    private const ulong Radio = 2;
-
-    private ulong _free = Telemetry | Radio;
+    private readonly TwoLinks _links = new();
 
     [Fact]
     public void Message_OneLinkHasNoRoom_GoesOverItWhenItHas()
     {
-        MessageExchange exchange = Make();
-        _free = Telemetry;
+        MessageExchange exchange = _links.Open(systemId: 1);
+        _links.Free = Telemetry;
         for (int n = 0; n < 5; n++)
             exchange.Post(Message(n), TimeSpan.Zero);
         Assert.Equal(Enumerable.Repeat(Telemetry, 5), Send(exchange, 0));
         Assert.Empty(Send(exchange, 1));
         Assert.True(exchange.NextDue(TimeSpan.FromSeconds(1)) <= TimeSpan.FromSeconds(1), "waits for the radio");
 
-        _free = Telemetry | Radio;
+        _links.Free = Telemetry | Radio;
         Assert.Equal(Enumerable.Repeat(Radio, 5), Send(exchange, 2));
         Assert.Empty(Send(exchange, 2.1));
         Assert.Equal(0, exchange.Waiting);
@@ -40,7 +38,7 @@ public sealed class LinkCopyTests
     [Fact]
     public void Message_BothLinksHaveRoom_GoesOutOnce()
     {
-        MessageExchange exchange = Make();
+        MessageExchange exchange = _links.Open(systemId: 1);
         exchange.Post(Message(0), TimeSpan.Zero);
         Assert.Equal([Telemetry | Radio], Send(exchange, 0));
         Assert.Empty(Send(exchange, 0.1));
@@ -50,8 +48,8 @@ public sealed class LinkCopyTests
     [Fact]
     public void Message_OneLinkHasNoRoomForItsLifetime_IsSentAndTheMissingCopyIsCounted()
     {
-        MessageExchange exchange = Make();
-        _free = Telemetry;
+        MessageExchange exchange = _links.Open(systemId: 1);
+        _links.Free = Telemetry;
         exchange.Post(Message(0), TimeSpan.Zero);
         Assert.Equal([Telemetry], Send(exchange, 0));
         Assert.Empty(Send(exchange, 6));
@@ -62,8 +60,8 @@ public sealed class LinkCopyTests
     [Fact]
     public void Message_NoLinkHasRoomForItsLifetime_Expires()
     {
-        MessageExchange exchange = Make();
-        _free = 0;
+        MessageExchange exchange = _links.Open(systemId: 1);
+        _links.Free = 0;
         exchange.Post(Message(0), TimeSpan.Zero);
         Assert.Empty(Send(exchange, 0));
         Assert.Empty(Send(exchange, 6));
@@ -75,11 +73,11 @@ public sealed class LinkCopyTests
     [Fact]
     public void Message_OfSeveralFragments_EachGoesOverEachLinkOnce()
     {
-        MessageExchange exchange = Make();
+        MessageExchange exchange = _links.Open(systemId: 1);
         exchange.Post(Message(0, length: 250), TimeSpan.Zero);
-        _free = Radio;
+        _links.Free = Radio;
         Assert.Equal([Radio, Radio, Radio], Send(exchange, 0));
-        _free = Telemetry | Radio;
+        _links.Free = Telemetry | Radio;
         Assert.Equal([Telemetry, Telemetry, Telemetry], Send(exchange, 0.5));
         Assert.Equal((3L, 0L, 0L, 0L), CountsOf(exchange));
     }
@@ -87,28 +85,15 @@ public sealed class LinkCopyTests
     [Fact]
     public void State_NewerBeforeALinkHadRoom_TakesThePlaceOfTheOlder()
     {
-        MessageExchange exchange = Make();
-        _free = Telemetry;
+        MessageExchange exchange = _links.Open(systemId: 1);
+        _links.Free = Telemetry;
         exchange.Post(Message(0, messageClass: VehicleMessageClass.State), TimeSpan.Zero);
         Send(exchange, 0);
         exchange.Post(Message(1, messageClass: VehicleMessageClass.State), TimeSpan.FromSeconds(1));
-        _free = Telemetry | Radio;
+        _links.Free = Telemetry | Radio;
         Assert.Equal([Telemetry | Radio], Send(exchange, 1));
         Assert.Equal([DeliveryOutcome.Sent, DeliveryOutcome.Sent], Reports(exchange));
         Assert.Equal(1, exchange.Counters.CopiesHeldBack);
-    }
-
-    private MessageExchange Make() => new(
-        new VehicleExchangeOptions { Announces = false }, systemId: 1, new ExchangeRandom(1),
-        (_, _) => new LinkRoom(Telemetry | Radio, _free));
-
-    private static List<ulong> Send(MessageExchange exchange, double seconds)
-    {
-        var links = new List<ulong>();
-        Span<byte> to = stackalloc byte[ExchangeWire.MaxLength];
-        while (exchange.TryNext(TimeSpan.FromSeconds(seconds), to, out ExchangeDatagram datagram))
-            links.Add(datagram.Links);
-        return links;
     }
 
     private static List<DeliveryOutcome> Reports(MessageExchange exchange)
