@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Rabit.Links;
+using Rabit.Tests.Shared;
 using Rabit.Uav.MissionControl;
 using Rabit.Uav.Tests.MissionControl;
 using Xunit;

@@ -3,6 +3,7 @@ using System.Linq;
 using Rabit.Core;
 using Rabit.Links;
 using Rabit.Mavlink;
+using Rabit.Tests.Shared;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Communications;

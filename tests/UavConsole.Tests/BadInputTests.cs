@@ -5,6 +5,7 @@ using System.Linq;
 using System.Net;
 using System.Net.Sockets;
 using System.Text;
+using Rabit.Tests.Shared;
 using Rabit.Uav.Tests.Communications;
 using Rabit.Uav.Tests;
 using Xunit;

@@ -4,6 +4,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using Rabit.Tests.Shared;
 using Rabit.Uav.Tests;
 using Rabit.Uav.Tests.Communications;
 using Xunit;

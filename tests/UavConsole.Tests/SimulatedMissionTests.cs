@@ -3,6 +3,7 @@ using System.IO;
 using System.Linq;
 using System.Text.Json;
 using System.Xml.Linq;
+using Rabit.Tests.Shared;
 using Rabit.Uav.Tests.Communications;
 using Rabit.Uav.Tests;
 using Xunit;

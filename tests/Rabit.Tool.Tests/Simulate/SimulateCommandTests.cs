@@ -8,7 +8,6 @@ using Rabit.Mavlink.Messages;
 using Rabit.Links;
 using Rabit.Tests.Shared;
 using Rabit.Uav.Simulation.Tests.Sample;
-using Rabit.Uav.Tests;
 using Xunit;
 
 namespace Rabit.Tool.Tests.Simulate;

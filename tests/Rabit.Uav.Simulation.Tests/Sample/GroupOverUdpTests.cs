@@ -2,8 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using System.Net;
-using System.Net.Sockets;
+using Rabit.Tests.Shared;
 using Rabit.Uav.Simulation.Tests.Missions;
 using Xunit;
 using Xunit.Abstractions;
@@ -100,21 +99,5 @@ public sealed class GroupOverUdpTests(ITestOutputHelper output) : IDisposable
 
     private string In(string name) => Path.Combine(_folder, name);
 
-    // All at once, so that they differ.
-    private static int[] FreePorts()
-    {
-        Socket[] sockets = [.. Enumerable.Range(0, Vehicles).Select(
-            _ => new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp))];
-        try
-        {
-            foreach (Socket socket in sockets)
-                socket.Bind(new IPEndPoint(IPAddress.Loopback, 0));
-            return [.. sockets.Select(s => ((IPEndPoint)s.LocalEndPoint!).Port)];
-        }
-        finally
-        {
-            foreach (Socket socket in sockets)
-                socket.Dispose();
-        }
-    }
+    private static int[] FreePorts() => [.. Enumerable.Range(0, Vehicles).Select(_ => FreePort.Udp())];
 }

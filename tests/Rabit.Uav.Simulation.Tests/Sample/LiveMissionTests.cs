@@ -6,6 +6,7 @@ using System.Net;
 using System.Net.Sockets;
 using System.Text.Json;
 using Rabit.Mavlink;
+using Rabit.Tests.Shared;
 using Rabit.Uav.Simulation.Tests.Missions;
 using Xunit;
 using Xunit.Abstractions;
@@ -34,7 +35,7 @@ public sealed class LiveMissionTests(ITestOutputHelper output) : IDisposable
         string mission = Write("mission.json", SearchFlight.SmallMission);
         string truth = In("truth.json");
         string summary = In("summary.json");
-        int port = FreePort();
+        int port = FreePort.Udp();
         using var vehicle = new SampleProcess(
             "Rabit.Tool",
             ["simulate", .. signing, "--link", $"udpout:127.0.0.1:{port}", "--mission", mission, "--targets", "2", "--seed", "5",
@@ -68,7 +69,7 @@ public sealed class LiveMissionTests(ITestOutputHelper output) : IDisposable
     public void Story_OfAGroundStationOverUdp_IsAnsweredAndFlown(string autopilot)
     {
         string mission = Write("mission.json", SearchFlight.SmallMission);
-        int port = FreePort();
+        int port = FreePort.Udp();
         using var vehicle = new SampleProcess(
             "Rabit.Tool",
             ["simulate", "--autopilot", autopilot, "--link", $"udpout:127.0.0.1:{port}", "--mission", mission, "--targets", "2",
@@ -142,12 +143,5 @@ public sealed class LiveMissionTests(ITestOutputHelper output) : IDisposable
     {
         File.WriteAllText(In(name), text);
         return In(name);
-    }
-
-    private static int FreePort()
-    {
-        using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
-        socket.Bind(new IPEndPoint(IPAddress.Loopback, 0));
-        return ((IPEndPoint)socket.LocalEndPoint!).Port;
     }
 }

@@ -3,7 +3,7 @@ using System.Net;
 using System.Net.Sockets;
 using System.Threading;
 
-namespace Rabit.Uav.Tests;
+namespace Rabit.Tests.Shared;
 
 /// <summary>
 /// A port of this computer that is not in use at the moment: below those that the system gives to sockets which name
