@@ -86,8 +86,7 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
     public TimeSpan Now => _clock.Now;
 
     /// <summary>
-    /// Whether the managers are wired: from now on the endpoints that <see cref="Workspace"/> made may be used. Any
-    /// thread.
+    /// Whether the managers are wired: endpoints that <see cref="Workspace"/> made may be used from now on. Any thread.
     /// </summary>
     public bool IsWired
     {
@@ -145,17 +144,20 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
         CancellationTokenRegistration cancellation = stop.Register(() => Stop("cancelled"));
         var thread = new Thread(() =>
         {
+            ReactorResult result;
             try
             {
-                ReactorResult result;
                 using (cancellation)
                     result = Run();
-                ended.SetResult(result);
             }
             catch (Exception e)
             {
                 ended.SetException(e);
+                return;
             }
+
+            // Then the program may end; Mono ends this thread by an exception, which is no failure of the run.
+            ended.SetResult(result);
         })
         { Name = Source, IsBackground = true };
         thread.Start();

@@ -23,9 +23,6 @@ internal static class VehicleRun
     private static readonly TimeSpan ShowEvery = TimeSpan.FromMilliseconds(100);
     private static readonly TimeSpan PollUntilWired = TimeSpan.FromMilliseconds(5);
 
-    // Ctrl-C must end all within a second.
-    private static readonly TimeSpan StopTimeout = TimeSpan.FromMilliseconds(300);
-
     /// <returns>The exit code.</returns>
     /// <exception cref="ToolException">A link or a file cannot be opened, read or written.</exception>
     public static int Run(VehicleOptions options, InvocationConfiguration console)
@@ -84,11 +81,7 @@ internal static class VehicleRun
             e.Cancel = true;
             Volatile.Write(ref isInterrupted, true);
         };
-        var reactorOptions = new ReactorOptions
-        {
-            Log = entry => WriteNews(entry, console.Error),
-            StopTimeout = StopTimeout,
-        };
+        var reactorOptions = new ReactorOptions { Log = entry => WriteNews(entry, console.Error) };
         var reactor = new RabitReactor(reactorOptions) { vehicle };
         if (folder is not null)
             reactor.Add(new CameraRecorderManager(world.CreateCamera(), new PictureFolderWriter(folder)));
@@ -109,8 +102,14 @@ internal static class VehicleRun
         }
 
         line.Show(reactor.Now, world.Truth);
-        int exitCode = run.GetAwaiter().GetResult().ExitCode;
-        return exitCode == ToolExitCode.Done && line.HasFailed ? ToolExitCode.BadInput : exitCode;
+        ReactorResult result = run.GetAwaiter().GetResult();
+        if (result.ExitCode != ToolExitCode.Done)
+        {
+            console.Error.WriteLine(result);
+            return result.ExitCode;
+        }
+
+        return line.HasFailed ? ToolExitCode.BadInput : ToolExitCode.Done;
     }
 
     // What is read is never written to.
