@@ -27,6 +27,7 @@ internal sealed class TestTimeout
     private readonly ManualResetEventSlim _never = new();
     private readonly long _maxTurns;
     private int _turns;
+    private TimeSpan _turnBegan = Clock.Elapsed;
 
     public TestTimeout()
         : this(OnAnIdleMachine)
@@ -43,9 +44,13 @@ internal sealed class TestTimeout
     public static TimeSpan LimitOf(TimeSpan onAnIdleMachine)
         => TimeSpan.FromTicks((long)(onAnIdleMachine.Ticks * Shares()));
 
-    /// <summary>Waits a turn under a lock, or less, where a pulse ends it, which costs no turn.</summary>
+    /// <summary>
+    /// Waits a turn under a lock, or less, where a pulse ends it. Pulses cost a turn only where a whole one has passed:
+    /// what changes for ever, and never to what is awaited, does not wait for ever.
+    /// </summary>
     /// <returns>False when the time is over.</returns>
-    public bool TryWait(object gate) => Monitor.Wait(gate, Turn) || TakeTurn();
+    public bool TryWait(object gate)
+        => (Monitor.Wait(gate, Turn) && Clock.Elapsed - _turnBegan < Turn) || TakeTurn();
 
     /// <summary>Waits a turn.</summary>
     /// <returns>False when the time is over.</returns>
@@ -62,7 +67,11 @@ internal sealed class TestTimeout
         return TakeTurn();
     }
 
-    private bool TakeTurn() => ++_turns < _maxTurns * Shares();
+    private bool TakeTurn()
+    {
+        _turnBegan = Clock.Elapsed;
+        return ++_turns < _maxTurns * Shares();
+    }
 
     private static double Shares()
     {
