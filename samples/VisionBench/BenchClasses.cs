@@ -7,7 +7,10 @@ using Rabit.Vision;
 
 namespace VisionBench;
 
-/// <summary>What the pictures are searched for: the targets that the README of the generated sets describes.</summary>
+/// <summary>
+/// What the pictures are searched for: the targets that the README of the generated sets describes, and panels of
+/// photos.
+/// </summary>
 internal static class BenchClasses
 {
     private static readonly (string Name, ColourRange Range)[] Colours =
@@ -36,6 +39,18 @@ internal static class BenchClasses
         new TargetClass("person")
         {
             Colour = Colours[1].Range, MinSideMetres = 0.75, MaxSideMetres = 1.1, MinAspect = 2.1, MaxAspect = 4.5,
+        },
+    ];
+
+    /// <summary>Panels on the ground of photos: 0.4 m, black and white.</summary>
+    public static ImmutableArray<TargetClass> BlackAndWhitePanels { get; } =
+    [
+        new TargetClass("panel-" + PhotoManifest.PanelColour)
+        {
+            Colour = new ColourRange(20, 20, 20),
+            SecondColour = new ColourRange(240, 240, 240),
+            MinSideMetres = 0.3,
+            MaxSideMetres = 0.54,
         },
     ];
 

@@ -68,9 +68,8 @@ internal sealed class BenchOptions
     public string Describe() => $"{Part} frames" + (IsColourEnough ? ", by colour alone" : "");
 
     /// <summary>With the detector that Image Processing makes for these classes.</summary>
-    public Bench CreateBench() => new(
-        new ImageProcessingOptions { TargetClasses = BenchClasses.All }.CreateDetector(), BenchClasses.All,
-        IsColourEnough, _repeats);
+    public Bench CreateBench(ImmutableArray<TargetClass> classes) => new(
+        new ImageProcessingOptions { TargetClasses = classes }.CreateDetector(), classes, IsColourEnough, _repeats);
 
     /// <summary>Of markers alone.</summary>
     public MarkerBench CreateMarkerBench() => new(_repeats);

@@ -12,6 +12,8 @@ namespace VisionBench;
 /// <summary>One picture of a set with its pose and its targets.</summary>
 internal sealed class ListedFrame
 {
+    private readonly double _metresPerPixel = double.NaN;
+
     public ListedFrame(string folder, int index, JsonElement json, CameraModel camera)
     {
         string name = json.GetProperty("file").GetString()!;
@@ -32,6 +34,21 @@ internal sealed class ListedFrame
         Markers = new MarkerPicture(
             Name, FilePath, index, [.. Targets.Where(t => t.Marker is not null).Select(t => t.Marker!)],
             IsOnAnUnknownMarker);
+    }
+
+    /// <summary>A photo whose pose is not known, but what a pixel is on the ground.</summary>
+    public ListedFrame(
+        string folder, int index, string file, (int Width, int Height) size, double metresPerPixel,
+        ImmutableArray<ListedTarget> targets)
+    {
+        Name = Path.GetFileNameWithoutExtension(file);
+        FilePath = Path.Combine(folder, file);
+        Index = index;
+        Camera = new CameraModel { Width = size.Width, Height = size.Height };
+        _metresPerPixel = metresPerPixel;
+        Targets = targets;
+        Distractors = [];
+        Markers = new MarkerPicture(Name, FilePath, index, [], _ => false);
     }
 
     public string Name { get; }
@@ -55,7 +72,9 @@ internal sealed class ListedFrame
     /// <summary>The markers among the targets.</summary>
     public MarkerPicture Markers { get; }
 
-    public PictureGroundScale CreateScale() => PictureGroundScale.OfLevelGround(Camera, NedFromCamera, HeightMetres);
+    public PictureGroundScale CreateScale() => double.IsNaN(_metresPerPixel)
+        ? PictureGroundScale.OfLevelGround(Camera, NedFromCamera, HeightMetres)
+        : PictureGroundScale.Uniform(_metresPerPixel);
 
     // Of some sets the truth does not say which marker it is.
     private bool IsOnAnUnknownMarker(DetectedMarker marker) => Targets.Any(

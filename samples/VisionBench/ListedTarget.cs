@@ -1,5 +1,8 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
 using System.Text.Json;
+using Rabit.Vision;
 
 namespace VisionBench;
 
@@ -22,6 +25,16 @@ internal sealed class ListedTarget
         JsonElement box = json.GetProperty("bbox_px");
         (Left, Top, Right, Bottom) =
             (box[0].GetDouble(), box[1].GetDouble(), box[2].GetDouble(), box[3].GetDouble());
+    }
+
+    /// <summary>A panel of a photo, in full sight.</summary>
+    public ListedTarget(string colour, PicturePoint centre, IReadOnlyCollection<PicturePoint> corners, double size)
+    {
+        (Kind, Colour, Shape, Size, FractionVisible) = ("panel", colour, "square", size, 1);
+        (IsWhole, IsSeen) = (true, true);
+        (X, Y) = (centre.X, centre.Y);
+        (Left, Top) = (corners.Min(c => c.X), corners.Min(c => c.Y));
+        (Right, Bottom) = (corners.Max(c => c.X), corners.Max(c => c.Y));
     }
 
     public string Kind { get; }

@@ -4,28 +4,49 @@ using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
 
 namespace VisionBench;
 
-/// <summary>A folder of pictures with a truth.json beside them (format "uav-imagery-truth").</summary>
+/// <summary>
+/// A folder of pictures with a truth.json beside them (format "uav-imagery-truth"), or of photos (<see
+/// cref="PhotoManifest"/>).
+/// </summary>
 internal sealed class PictureSet
 {
     private const string TruthFile = "truth.json";
     private const string TruthFormat = "uav-imagery-truth";
     private const string WhatIsExpected =
-        $"A set is a folder with a {TruthFile} (format {TruthFormat}) and the pictures that it lists.";
+        $"A set is a folder with a {TruthFile} (format {TruthFormat}), or a {PhotoManifest.FileName} of photos, and the "
+        + "pictures that it lists.";
 
-    private PictureSet(string name, ImmutableArray<ListedFrame> frames) => (Name, Frames) = (name, frames);
+    private PictureSet(string folder, ImmutableArray<TargetClass> classes, ImmutableArray<ListedFrame> frames)
+        => (Name, Classes, Frames) = (new DirectoryInfo(folder).Name, classes, frames);
 
     public string Name { get; }
 
+    /// <summary>What the pictures are searched for.</summary>
+    public ImmutableArray<TargetClass> Classes { get; }
+
     public ImmutableArray<ListedFrame> Frames { get; }
+
+    /// <summary>Pictures in the list that are not searched, since nothing says what a pixel is on the ground.</summary>
+    public int WithoutScale { get; private init; }
 
     /// <exception cref="FormatException">It is no set of that format.</exception>
     /// <exception cref="IOException">It cannot be read.</exception>
     public static PictureSet Load(string folder)
     {
         string path = Path.Combine(folder, TruthFile);
+        if (!File.Exists(path) && PhotoManifest.TryLoad(folder) is { } photos)
+        {
+            return new PictureSet(folder, BenchClasses.BlackAndWhitePanels, photos.Frames)
+            {
+                WithoutScale = photos.WithoutScale,
+            };
+        }
+
         if (!File.Exists(path))
             throw new FormatException($"{folder}: {FaultOf(folder)}. {WhatIsExpected}");
         try
@@ -45,7 +66,8 @@ internal sealed class PictureSet
                 ? cameras[name.GetString()!]
                 : cameras.Values.Single();
             return new PictureSet(
-                new DirectoryInfo(folder).Name,
+                folder,
+                BenchClasses.All,
                 json.RootElement.GetProperty("frames").EnumerateArray()
                     .Select((f, i) => new ListedFrame(folder, i + 1, f, CameraFor(f)))
                     .ToImmutableArray());

@@ -15,7 +15,8 @@ internal static class VisionBenchProgram
 
         FOLDER         a set: pictures with a truth.json (format uav-imagery-truth), or pictures of markers alone
                        (format uav-imagery-marker-crops; photos with "files" and their "tags"; a list of
-                       pictures with "markers"); its parent may have the baseline.json of the reference
+                       pictures with "markers"); its parent may have the baseline.json of the reference; or photos
+                       with a manifest.json ("files", see the README), searched for black and white panels of 0.4 m
         --part         only the odd frames (for tuning) or the even ones
         --colour-only  a panel that is taken for a vehicle of its colour is right, as for the reference
         --list         each miss, each centre that is far off and each false alarm, one line each
@@ -72,7 +73,7 @@ internal static class VisionBenchProgram
     private static void Run(
         string folder, PictureSet set, BenchOptions options, BenchPage? page, TextWriter output, Progress progress)
     {
-        Bench bench = options.CreateBench();
+        Bench bench = options.CreateBench(set.Classes);
         List<FrameScore> scores = bench.Run(set, (done, of) => progress.Show(set.Name, done, of))
             .Where(s => options.Includes(s.Frame.Index)).ToList();
         progress.Clear();
@@ -81,6 +82,8 @@ internal static class VisionBenchProgram
         string time = FormattableString.Invariant(
             $"time {bench.DetectorTime.TotalMilliseconds / set.Frames.Length:0.00} ms a frame, markers {bench.MarkerTime.TotalMilliseconds / set.Frames.Length:0.00} ms, {options.Part} frames");
         ScoreTable.Write(score, baseline, output);
+        if (set.WithoutScale > 0)
+            time += $"; {set.WithoutScale} pictures without a scale were not searched";
         output.WriteLine("  " + time);
         if (options.IsListed)
             ScoreTable.List(scores, output);

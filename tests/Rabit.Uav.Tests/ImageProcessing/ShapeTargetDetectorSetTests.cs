@@ -58,7 +58,7 @@ public class ShapeTargetDetectorSetTests
     private static SetScore ScoreOf(string folder)
     {
         PictureSet set = PictureSet.Load(folder);
-        Bench bench = BenchOptions.Parse([folder]).CreateBench();
+        Bench bench = BenchOptions.Parse([folder]).CreateBench(BenchClasses.All);
         return new SetScore(set.Name, bench.Run(set, (_, _) => { }).ToList());
     }
 }

@@ -80,8 +80,8 @@ public sealed class VisionBenchTests : IDisposable
         (int exit, _, string errors) = Run(false, path);
         Assert.Equal(2, exit);
         Assert.Equal(
-            $"{path}{fault}. A set is a folder with a truth.json (format uav-imagery-truth) and the pictures that it "
-                + "lists.",
+            $"{path}{fault}. A set is a folder with a truth.json (format uav-imagery-truth), or a manifest.json of "
+                + "photos, and the pictures that it lists.",
             errors.TrimEnd());
     }
 

@@ -1,0 +1,96 @@
+using System;
+using System.Collections.Generic;
+using System.Collections.Immutable;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using Rabit.Vision;
+
+namespace VisionBench;
+
+/// <summary>
+/// A folder of photos with a manifest.json: "files", each with "file", "width" and "height" in pixels, and with
+/// "panels_original_px" where there are panels ("centre", "quad", "size" in pixels of the original picture, which was
+/// made smaller by "scale"). What a pixel is on the ground is "metres_per_pixel", or follows from the panels, which are
+/// 0.4 m large, or is known of the place in the name of the file.
+/// </summary>
+internal static class PhotoManifest
+{
+    public const string FileName = "manifest.json";
+    public const string PanelColour = "two-tone";
+
+    private const double PanelSideMetres = 0.4;
+
+    // Of the original pictures of four flights, from their heights and focal lengths.
+    private static readonly Dictionary<string, double> MetresPerPixelOf = new(StringComparer.Ordinal)
+    {
+        ["brighton"] = 0.018,
+        ["caliterra"] = 0.016,
+        ["seneca"] = 0.022,
+        ["copr"] = 0.0033,
+    };
+
+    /// <returns>
+    /// The photos whose scale is known, and how many others there are; null where the folder has no manifest of photos.
+    /// </returns>
+    /// <exception cref="FormatException">It has one with a fault.</exception>
+    /// <exception cref="IOException">It cannot be read.</exception>
+    public static (ImmutableArray<ListedFrame> Frames, int WithoutScale)? TryLoad(string folder)
+    {
+        string path = Path.Combine(folder, FileName);
+        if (!File.Exists(path))
+            return null;
+        try
+        {
+            using var json = JsonDocument.Parse(File.ReadAllText(path));
+            JsonElement files = json.RootElement.GetProperty("files");
+            var frames = new List<ListedFrame>();
+            foreach (JsonElement file in files.EnumerateArray())
+            {
+                if (TryRead(file, folder, frames.Count + 1) is { } frame)
+                    frames.Add(frame);
+            }
+
+            if (frames.Count == 0)
+                throw new FormatException("of no picture it is known what a pixel is on the ground");
+            return ([.. frames], files.GetArrayLength() - frames.Count);
+        }
+        catch (Exception e)
+            when (e is JsonException or InvalidOperationException or KeyNotFoundException or FormatException
+                or IndexOutOfRangeException)
+        {
+            throw new FormatException($"{path} is no manifest of photos: {e.Message}", e);
+        }
+    }
+    private static ListedFrame? TryRead(JsonElement json, string folder, int index)
+    {
+        string file = json.GetProperty("file").GetString()!;
+        double scale = json.TryGetProperty("scale", out JsonElement smaller) ? smaller.GetDouble() : 1;
+        ImmutableArray<ListedTarget> panels = json.TryGetProperty("panels_original_px", out JsonElement listed)
+            ? [.. listed.EnumerateArray().Select(p => PanelOf(p, scale))]
+            : [];
+        double metresPerPixel = json.TryGetProperty("metres_per_pixel", out JsonElement known) ? known.GetDouble()
+            : panels.Length > 0 ? PanelSideMetres / panels.Average(p => p.Size)
+            : MetresPerPixelOf.Where(p => Path.GetFileName(file).Split('_').Contains(p.Key)).Select(p => p.Value / scale)
+                .DefaultIfEmpty(double.NaN).First();
+        if (double.IsNaN(metresPerPixel))
+            return null;
+        if (!(metresPerPixel > 0) || double.IsInfinity(metresPerPixel))
+            throw new FormatException(FormattableString.Invariant($"{file}: a pixel of {metresPerPixel} m"));
+        (int Width, int Height) size = (json.GetProperty("width").GetInt32(), json.GetProperty("height").GetInt32());
+        return new ListedFrame(folder, index, file, size, metresPerPixel, panels);
+    }
+
+    private static ListedTarget PanelOf(JsonElement json, double scale)
+    {
+        PicturePoint PointOf(JsonElement point) => new(Smaller(point[0], scale), Smaller(point[1], scale));
+        JsonElement sides = json.GetProperty("size");
+        return new ListedTarget(
+            PanelColour, PointOf(json.GetProperty("centre")),
+            [.. json.GetProperty("quad").EnumerateArray().Select(PointOf)],
+            (sides[0].GetDouble() + sides[1].GetDouble()) / 2 * scale);
+    }
+
+    // The middle of a pixel is a whole number.
+    private static double Smaller(JsonElement value, double scale) => ((value.GetDouble() + 0.5) * scale) - 0.5;
+}
