@@ -52,6 +52,7 @@ run_net() {
     local folder=$home/bin runner
     dotnet publish $project -r linux-$architecture --self-contained -p:RabitQuick=true -p:ArtifactsPath="$home/artifacts" -v quiet -o "$folder"
     dotnet publish eng/run-tests.cs -r linux-$architecture --self-contained -v quiet -o "$home/run-tests"
+    dotnet restore $project -p:RabitMono=true -v quiet   # xunit's console is a package of the build for Mono
     runner=$(dotnet msbuild $project -p:RabitMono=true -getProperty:XunitConsole472Path)
     cp "$home"/run-tests/run-tests* "$(dirname "$runner")"/../netcoreapp2.0/xunit.* "$folder"
     run_on_arm -E DOTNET_EnableWriteXorExecute=0 -E DOTNET_SYSTEM_GLOBALIZATION_INVARIANT=1 \
