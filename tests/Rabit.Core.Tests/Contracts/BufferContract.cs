@@ -152,6 +152,7 @@ public abstract class BufferContract(TimeKind kind) : ContractTests(kind)
         var microphone = new BufferPool("sounds", 1, 8);
         using TestRun run = NewRun();
         ScriptedManager keeper = run.Add("keeper");
+        ScriptedManager other = run.Add("other");
         run.Reactor.Workspace.Watch(pool);
         run.Reactor.Workspace.Watch(microphone);
         run.Reactor.Workspace.Watch(pool);
@@ -164,9 +165,11 @@ public abstract class BufferContract(TimeKind kind) : ContractTests(kind)
             Assert.True(microphone.TryRent("keeper", out BufferLease lease));
             lease.Dispose();
         });
+        run.On(other, () => Assert.True(pool.TryRent("other", out _)));
         ReactorResult result = run.Finish();
 
-        const string Expected = "Pool 'pictures' did not get all of its buffers back: 'keeper' has 2.";
+        const string Expected =
+            "Pool 'pictures' did not get all of its buffers back: 'keeper' has 2; 'other' has 1.";
         Assert.Equal(1, result.ExitCode);
         Assert.Equal(Expected, result.Failure!.Message);
         Assert.Equal("the test is over", result.StopReason);

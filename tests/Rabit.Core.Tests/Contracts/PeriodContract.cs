@@ -66,6 +66,21 @@ public abstract class PeriodContract(TimeKind kind) : ContractTests(kind)
         run.Finish();
     }
 
+    /// <summary>A delay after each unit of work has no deadlines that it could miss.</summary>
+    [Fact, Trait("Clause", "1.3"), Trait("Clause", "4.4")]
+    public void WakeUpDelay_WithoutAPeriod_CountsNoPeriodError()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager manager = run.Add("m");
+        manager.WakeUpDelay = TimeSpan.FromMilliseconds(2);
+
+        run.Start();
+        run.Until(() => manager.Causes.Count(c => c == WakeUpCauses.Timer) >= 5, "the timer wakes");
+        ManagerStatus status = run.Finish().Managers[0].Status;
+
+        Assert.Equal((0, 0), (status.PeriodError.Count, status.MissedDeadlines));
+    }
+
     private static List<TimeSpan> RecordBegins(ScriptedManager manager)
     {
         var begins = new List<TimeSpan>();

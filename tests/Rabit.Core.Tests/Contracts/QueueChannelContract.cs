@@ -61,6 +61,24 @@ public abstract class QueueChannelContract(TimeKind kind) : ContractTests(kind)
         }
     }
 
+    [Fact, Trait("Clause", "3.4"), Trait("Clause", "3.1")]
+    public async Task ChannelWriter_TwoThatWaitForRoom_BothGoOnAtAPop()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager sink = run.Add("sink");
+        QueueReceiver<int> receiver = sink.Receive<int>("queue", 1, wakeOnPush: false);
+        ChannelWriter<int> writer = run.Reactor.Workspace.Send<int>("queue").AsChannelWriter();
+        run.StartAndSettle();
+        Assert.True(writer.TryWrite(1));
+
+        Task<bool>[] waiting = [writer.WaitToWriteAsync().AsTask(), writer.WaitToWriteAsync().AsTask()];
+        Assert.All(waiting, w => Assert.False(w.IsCompleted));
+        run.On(sink, () => Assert.True(receiver.TryPop(out _)));
+
+        Assert.True(await InTime(waiting[0]));
+        Assert.True(await InTime(waiting[1]));
+    }
+
     [Fact, Trait("Clause", "3.4")]
     public async Task ChannelWriter_QueueWithATimeLimit_ThrowsWhenItIsUp()
     {

@@ -36,6 +36,21 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
         AssertCounters(outside.Counters, pushed: 5, popped: 5, rejected: 0, resident: 0, highWater: 2);
     }
 
+    [Fact, Trait("Clause", "3.1"), Trait("Clause", "1.4")]
+    public async Task PushAsync_QueueHasRoom_WakesTheReceiver()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager sink = run.Add("sink");
+        sink.Receive<int>("queue", 2, QueueFullMode.Wait);
+        QueueSender<int> outside = run.Reactor.Workspace.Send<int>("queue");
+        run.StartAndSettle();
+
+        Assert.Equal(PushResult.Queued, await InTime(outside.PushAsync(1).AsTask()));
+
+        run.Until(() => sink.Units >= 2, "the push wakes the sink");
+        Assert.Equal(WakeUpCauses.Push, sink.Causes[1]);
+    }
+
     [Fact, Trait("Clause", "3.1")]
     public async Task PushAsync_NoRoomForAsLongAsItMayWait_TimesOutAndIsCounted()
     {

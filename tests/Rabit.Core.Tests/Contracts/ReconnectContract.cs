@@ -154,6 +154,35 @@ public abstract class ReconnectContract(TimeKind kind) : ContractTests(kind)
         Assert.Equal((1, 1, 1), (writer.Faults, writer.Reconnects, writer.Discarded));
     }
 
+    /// <summary>A value that was written ends a row of failures: each of these is the first of its row.</summary>
+    [Fact, Trait("Clause", "1.8")]
+    public void Writer_FailsAgainAfterItHasWritten_IsOpenedAgainEachTime()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager manager = run.Add("m");
+        var broken = new HashSet<int> { 2, 4, 6 };
+        var target = new ScriptedTarget(run.Board)
+        {
+            OnWrite = value =>
+            {
+                if (broken.Remove(value))
+                    throw new IOException("unplugged");
+            },
+        };
+        var quick = TimeSpan.FromMilliseconds(1);
+        BlockingWriter<int> writer = manager.AttachWriter(
+            "radio", target, reconnect: ReconnectPolicy.After(quick, quick, maxAttempts: 1));
+
+        run.StartAndSettle();
+        run.On(manager, () => Assert.Equal(7, Enumerable.Range(1, 7).Count(i => writer.Push(i) == PushResult.Queued)));
+        run.Until(
+            () => target.Written.Count == 4 || writer.State == DeviceState.Faulted, "the rest is written");
+        run.Finish();
+
+        Assert.Equal([1, 3, 5, 7], target.Written);
+        Assert.Equal((3, 3, 3), (writer.Faults, writer.Reconnects, writer.Discarded));
+    }
+
     [Fact, Trait("Clause", "1.8")]
     public void Writer_StoppedWhileItsTargetIsAway_CountsWhatIsLeft()
     {

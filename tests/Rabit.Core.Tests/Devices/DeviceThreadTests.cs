@@ -51,6 +51,23 @@ public sealed class DeviceThreadTests
     }
 
     [Fact, Trait("Clause", "1.8"), Trait("Clause", "1.6")]
+    public void Reader_ThatDoesNotUnblockWhileItOpensAgain_IsNamed()
+    {
+        using var source = new BlockedSource { IgnoresUnblock = true, BlocksInOpenAgain = true };
+        using var run = new TestRun(TimeKind.Real, options => options.StopTimeout = ShortTimeout);
+        run.Add("m").AttachReader(
+            "line", source,
+            reconnect: ReconnectPolicy.After(TimeSpan.FromMilliseconds(1), TimeSpan.FromMilliseconds(1)));
+
+        run.StartAndSettle();
+        Assert.True(source.Blocked.Wait(TestTimeout.Limit));
+        ReactorResult result = run.Finish();
+        source.Release();
+
+        Assert.Equal("m/line: opening its device again", Assert.Single(result.Managers[0].NotStopped));
+    }
+
+    [Fact, Trait("Clause", "1.8"), Trait("Clause", "1.6")]
     public void Reader_UnblockThrows_IsReportedAndAllAreStopped()
     {
         using var source = new BlockedSource { UnblockError = new InvalidOperationException("stuck") };
@@ -143,6 +160,7 @@ public sealed class DeviceThreadTests
     private sealed class BlockedSource : IReaderSource<int>, IDisposable
     {
         private readonly ManualResetEventSlim _release = new();
+        private int _opened;   // the reader's thread
 
         public ManualResetEventSlim Blocked { get; } = new();
 
@@ -150,17 +168,26 @@ public sealed class DeviceThreadTests
 
         public Exception? UnblockError { get; init; }
 
+        /// <summary>The first read fails, and it is the second opening that blocks.</summary>
+        public bool BlocksInOpenAgain { get; init; }
+
         public int Unblocks { get; private set; }
 
         public bool Blocks => true;
 
         public void Open(ReaderContext context)
         {
+            if (!BlocksInOpenAgain || _opened++ == 0)
+                return;
+            Blocked.Set();
+            _release.Wait();
         }
 
         public ReaderStep Read(out int value)
         {
             value = 0;
+            if (BlocksInOpenAgain)
+                throw new System.IO.IOException("unplugged");
             Blocked.Set();
             _release.Wait();
             return ReaderStep.WaitForSignal;

@@ -36,7 +36,10 @@ public sealed class MessageTypeCheckTests
         { typeof(HoldsArray?), "Nullable<HoldsArray>.value.Samples" },
         { typeof((int, int[])), "ValueTuple<Int32, Int32[]>.Item2 is an array (Int32[])" },
         { typeof(HoldsProperty), "HoldsProperty.Samples is an array" },
-        { typeof(Unsealed), "which is not sealed" },
+        {
+            typeof(Unsealed),
+            "Unsealed is of class Unsealed, which is not sealed: a derived one may hold something mutable."
+        },
         { typeof(UnsealedRecord), "which is not sealed" },
         { typeof(HoldsUnsealed), "HoldsUnsealed.Part is of class Unsealed, which is not sealed" },
         { typeof(MutableClass), "MutableClass.Count can be changed" },
@@ -78,6 +81,20 @@ public sealed class MessageTypeCheckTests
     [MemberData(nameof(Refused))]
     public void FindFault_TypeWhoseCopiesShareSomething_NamesTheField(Type type, string expected)
         => Assert.Contains(expected, MessageTypeCheck.FindFault(type), StringComparison.Ordinal);
+
+    /// <summary>They are of the library of immutable collections, but not all runtimes come with them.</summary>
+    [Fact, Trait("Clause", "2.5")]
+    public void FindFault_FrozenCollection_FindsNone()
+    {
+        Type? set = typeof(ImmutableArray<int>).Assembly.GetType("System.Collections.Frozen.FrozenSet`1");
+        if (set is null)
+            return;
+
+        Assert.Null(MessageTypeCheck.FindFault(set.MakeGenericType(typeof(int))));
+        Assert.Contains(
+            "FrozenSet<Int32[]><Int32[]> is an array", MessageTypeCheck.FindFault(set.MakeGenericType(typeof(int[]))),
+            StringComparison.Ordinal);
+    }
 
     [Fact, Trait("Clause", "2.5")]
     public void FindFault_TypeThatTheWorkspaceTrusts_FindsNone()

@@ -44,6 +44,27 @@ public sealed class ModelledHangTests
         Assert.Equal(4 + 9, hanging.Units);
     }
 
+    [Theory, Trait("Clause", "4.5")]
+    [InlineData(4)]
+    [InlineData(5)]
+    public void LongUnit_WithinItsLimit_IsNeverFoundHanging(int seconds)
+    {
+        using TestRun run = NewRun(TimeSpan.FromSeconds(seconds), out ScriptedManager manager, HangPolicy.Report);
+        manager.OnUnit = () =>
+        {
+            // Asleep for longer than the limit afterwards.
+            if (manager.Time >= At)
+                manager.WakeUpDelay = TimeSpan.FromSeconds(60);
+        };
+
+        run.Start();
+        run.Reactor.RunFor(TimeSpan.FromSeconds(40));
+        ReactorResult result = run.Finish();
+
+        Assert.Equal(0, result.Managers[0].HangCount);
+        Assert.Equal(4, manager.Units);
+    }
+
     [Fact, Trait("Clause", "4.5")]
     public void LongUnit_NeverBack_StopsTheSystemAtItsLimit()
     {

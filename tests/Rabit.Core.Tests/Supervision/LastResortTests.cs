@@ -80,6 +80,28 @@ public sealed class LastResortTests : InterruptingTests
         Assert.Equal([ManagerStage.UnitOfWork, ManagerStage.Shutdown], result.Faults.Select(f => f.Stage));
     }
 
+    [Fact, Trait("Clause", "1.7"), Trait("Clause", "1.6")]
+    public void Manager_HangsInItsShutdownAfterItsClockThrew_IsNamedWithThat()
+    {
+        using var release = new ManualResetEventSlim();
+        var clock = new FailingClock();
+        using var run = new TestRun(TimeKind.Real, o =>
+        {
+            o.Time = new RealTime(clock);
+            o.StopTimeout = TimeSpan.FromSeconds(1);   // short for the one that hangs
+        });
+        ScriptedManager manager = run.Add("m");
+        manager.OnShutdown = () => release.Wait();
+        run.StartAndSettle();
+
+        clock.FailOn("m", new InvalidOperationException("boom"));
+        manager.WakeUp();
+        ReactorResult result = run.FinishByItself();
+        release.Set();
+
+        Assert.Equal("m: Shutdown", Assert.Single(result.Managers[0].NotStopped));
+    }
+
     [Fact, Trait("Clause", "1.7"), Trait("Clause", "1.9")]
     public void Manager_ThatDelaysStopsWhenItsClockThrows_IsNotWaitedFor()
     {

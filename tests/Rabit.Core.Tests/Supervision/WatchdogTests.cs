@@ -134,9 +134,22 @@ public sealed class WatchdogTests
             run.OnAndSettle(manager, () => Assert.True(found.WaitOne(TestTimeout.Limit)));
         run.Finish();
 
-        Assert.Contains(
-            run.Log, e => e.Kind == RabitLogKind.Fault && e.Text.Contains("my own fault", StringComparison.Ordinal));
+        Assert.All(
+            run.Log.Where(e => e.Kind == RabitLogKind.Fault),
+            e => Assert.StartsWith(
+                "the callback of its hang policy threw InvalidOperationException: my own fault", e.Text,
+                StringComparison.Ordinal));
+        Assert.Equal(2, run.Log.Count(e => e.Kind == RabitLogKind.Fault));
     }
+
+    [Theory, Trait("Clause", "4.5")]
+    [InlineData(null, "m hangs in UnitOfWork for 1.500 s")]
+    [InlineData("reading", "m hangs in UnitOfWork for 1.500 s: reading")]
+    public void Hang_AsText_SaysWhereHowLongAndWhatItDid(string? doing, string text)
+        => Assert.Equal(
+            text,
+            new ManagerHang(
+                "m", ManagerStage.UnitOfWork, doing, TimeSpan.Zero, TimeSpan.FromMilliseconds(1500)).ToString());
 
     [Fact, Trait("Clause", "4.5")]
     public void Off_ManagerThatTakesLong_IsNotFound()
