@@ -11,7 +11,7 @@ namespace Rabit.Tool.Geolocation;
 
 /// <summary>
 /// A telemetry log of MAVLink: GLOBAL_POSITION_INT and ATTITUDE of the first autopilot in it, by that autopilot's
-/// clock, and what a gimbal of its vehicle reports.
+/// clock, and what a gimbal of its vehicle reports; of one run of the autopilot, where it started more than once.
 /// </summary>
 internal static class TelemetryLog
 {
@@ -29,13 +29,18 @@ internal static class TelemetryLog
     public static TimeSpan Read(
         string file, TimeSpan time, TimeSpan beyond, PixelGeolocator locator, bool usesGimbal)
     {
-        if (time.TotalSeconds >= EarliestUtcSeconds)
-            time -= StampsLessBoot(file);
+        int boot = BootOf(file, ref time);
+        var boots = new LoggedBoots();
         var sent = new HashSet<PoseSampleKind>();
         var gimbal = new LoggedGimbal();
         TimeSpan stampsLessBoot = TimeSpan.MaxValue;
         foreach (LoggedFrame logged in Frames(file))
         {
+            boots.Take(logged);
+            if (Math.Max(1, boots.Count) < boot)
+                continue;
+            if (boots.Count > boot)
+                break;
             if (usesGimbal)
                 gimbal.Take(logged);
             if (!logged.IsOfAutopilot || !TryPose(logged.Frame, out PoseSample sample))
@@ -53,19 +58,16 @@ internal static class TelemetryLog
         return time;
     }
 
-    // By the message that was quickest: late by the shortest delay of the link, which is not in a log.
-    private static TimeSpan StampsLessBoot(string file)
+    // Which run of the autopilot the time is of; since its start.
+    private static int BootOf(string file, ref TimeSpan time)
     {
-        TimeSpan least = TimeSpan.MaxValue;
+        var boots = new LoggedBoots();
         foreach (LoggedFrame logged in Frames(file))
-        {
-            if (logged.IsOfAutopilot && TryPose(logged.Frame, out PoseSample sample))
-                least = Least(least, logged.Stamp - sample.Time);
-        }
-
-        return least < TimeSpan.MaxValue
-            ? least
-            : throw new FormatException($"{file} has no positions or attitudes of an autopilot.");
+            boots.Take(logged);
+        if (time.TotalSeconds < EarliestUtcSeconds)
+            return Math.Max(1, boots.At(time, file));
+        (int boot, time) = boots.AtStamp(time, file);
+        return boot;
     }
 
     private static TimeSpan Least(TimeSpan a, TimeSpan b) => a < b ? a : b;

@@ -134,6 +134,45 @@ public sealed class GeolocateGimbalTests : IDisposable
         Assert.Equal("PoseGap", _run.Json.Text("reason"));
     }
 
+    // Before, its clock ran from 100 s too, 200 s earlier, and the camera looked west; after it, south.
+    [Theory]
+    [InlineData(102.04, 90)]
+    [InlineData(1_700_000_102.04, 90)]
+    [InlineData(1_699_999_902.04, -90)]
+    [InlineData(1_700_000_302.04, 180)]
+    public void Log_AutopilotStartedAgain_TakesTheGimbalOfTheRunOfTheTime(double seconds, double yaw)
+    {
+        bool isSinceBoot = seconds < 1e9;
+        int code = Run(seconds, log =>
+        {
+            WriteRun(log, stampsLessBoot: -200, seconds: isSinceBoot ? 40 : 100, yawDegrees: -90);
+            Every(t => log.Write(t, Status(t, -60, 90, North), Autopilot));
+            WriteRun(log, stampsLessBoot: 200, seconds: isSinceBoot ? 40 : 100, yawDegrees: 180);
+        });
+
+        Assert.True(code == 0, _run.Errors);
+        NedPosition place = World.ToNed(_run.Place);
+        Assert.Equal(Distance * Math.Cos(yaw * Vectors.Degree), place.North, 0.02);
+        Assert.Equal(Distance * Math.Sin(yaw * Vectors.Degree), place.East, 0.02);
+    }
+
+    [Fact]
+    public void Log_TimeIsOfTwoRunsOfTheAutopilot_IsRefusedByName()
+    {
+        Assert.Equal(2, Run(102.04, log => WriteRun(log, stampsLessBoot: 200, seconds: 100, yawDegrees: 90)));
+        Assert.Contains("the autopilot started 2 times", _run.Errors);
+        Assert.Contains("since 1970", _run.Errors);
+    }
+
+    private static void WriteRun(Log log, double stampsLessBoot, double seconds, double yawDegrees)
+    {
+        for (double boot = seconds; boot <= seconds + 6; boot += 0.1)
+        {
+            WritePose(log, boot, boot + stampsLessBoot);
+            log.Write(boot + stampsLessBoot, Status(boot, -60, yawDegrees, North), Autopilot);
+        }
+    }
+
     private void AssertEast(double seconds, Action<Log> report, string gimbal = "")
     {
         Assert.Equal(0, Run(seconds, report, gimbal));
@@ -148,7 +187,7 @@ public sealed class GeolocateGimbalTests : IDisposable
         using (FileStream file = File.Create(path))
         {
             var log = new Log(new TlogWriter(file));
-            log.Write(99, new Heartbeat { Autopilot = MavAutopilot.Ardupilotmega }, Autopilot);
+            log.Write(-200, new Heartbeat { Autopilot = MavAutopilot.Ardupilotmega }, Autopilot);
             Every(t => WritePose(log, t));
             report(log);
             log.Finish();
@@ -167,9 +206,10 @@ public sealed class GeolocateGimbalTests : IDisposable
             write(tenth / 10.0);
     }
 
-    private static void WritePose(Log log, double seconds)
+    private static void WritePose(Log log, double secondsSinceBoot, double? stamp = null)
     {
-        uint boot = (uint)Math.Round(seconds * 1000);
+        uint boot = (uint)Math.Round(secondsSinceBoot * 1000);
+        double seconds = stamp ?? secondsSinceBoot;
         log.Write(
             seconds,
             new GlobalPositionInt { TimeBootMs = boot, Lat = 470_000_000, Lon = 80_000_000, Alt = 540_000 },
