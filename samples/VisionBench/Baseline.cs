@@ -1,8 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Text.Json;
 
 namespace VisionBench;
 
@@ -19,26 +17,21 @@ internal sealed class Baseline
     public double ClearPanelRms { get; private set; }
 
     /// <summary>Null where there is none beside the set.</summary>
+    /// <exception cref="FormatException">It cannot be understood; names file and field.</exception>
     public static Baseline? Load(string folder)
     {
-        DirectoryInfo? parent = new DirectoryInfo(folder).Parent;
-        string path = Path.Combine(parent?.FullName ?? ".", "baseline.json");
-        if (!File.Exists(path))
-            return null;
-        using var json = JsonDocument.Parse(File.ReadAllText(path));
-        if (!json.RootElement.GetProperty("sets").TryGetProperty(new DirectoryInfo(folder).Name, out JsonElement set)
-            || !set.TryGetProperty("colour", out JsonElement colour))
+        if (BaselineField.OfSet(folder)?.Find("colour") is not { } colour)
             return null;
         var baseline = new Baseline
         {
             Markers = MarkerBaseline.Load(folder),
-            FalseAlarmsPerFrame = colour.GetProperty("fa_per_frame").GetDouble(),
-            ClearPanelRms = colour.GetProperty("centroid_rms_px_clear_panels_6px_up").GetDouble(),
+            FalseAlarmsPerFrame = colour.Of("fa_per_frame").Number(),
+            ClearPanelRms = colour.Of("centroid_rms_px_clear_panels_6px_up").Number(),
         };
         foreach (string group in (string[])["by_size", "by_class"])
         {
-            foreach (JsonProperty one in colour.GetProperty(group).EnumerateObject())
-                baseline._counts[one.Name] = one.Value.GetString()!;
+            foreach ((string name, BaselineField count) in colour.Of(group).All())
+                baseline._counts[name] = count.Text();
         }
 
         return baseline;

@@ -1,6 +1,4 @@
 using System.Globalization;
-using System.IO;
-using System.Text.Json;
 
 namespace VisionBench;
 
@@ -12,11 +10,11 @@ internal sealed class MarkerBaseline
 {
     private const string Setting = "small-marker";
 
-    private MarkerBaseline(JsonElement json)
+    private MarkerBaseline(BaselineField field)
     {
-        Found = $"{json.GetProperty("found").GetInt32()}/{json.GetProperty("of").GetInt32()}";
-        Wrong = json.GetProperty("wrong_ids").GetInt32().ToString(CultureInfo.InvariantCulture);
-        CornerRms = json.GetProperty("corner_rms_px").GetDouble().ToString("0.00", CultureInfo.InvariantCulture);
+        Found = $"{field.Of("found").Integer()}/{field.Of("of").Integer()}";
+        Wrong = field.Of("wrong_ids").Integer().ToString(CultureInfo.InvariantCulture);
+        CornerRms = field.Of("corner_rms_px").Number().ToString("0.00", CultureInfo.InvariantCulture);
     }
 
     public string Found { get; }
@@ -26,17 +24,10 @@ internal sealed class MarkerBaseline
     public string CornerRms { get; }
 
     /// <summary>Null where there is none beside the set.</summary>
+    /// <exception cref="System.FormatException">It cannot be understood; names file and field.</exception>
     public static MarkerBaseline? Load(string folder)
-    {
-        var set = new DirectoryInfo(folder);
-        string path = Path.Combine(set.Parent?.FullName ?? ".", "baseline.json");
-        if (!File.Exists(path))
-            return null;
-        using var json = JsonDocument.Parse(File.ReadAllText(path));
-        if (!json.RootElement.GetProperty("sets").TryGetProperty(set.Name, out JsonElement figures))
-            return null;
-        if (figures.TryGetProperty("markers", out JsonElement markers))
-            figures = markers;
-        return figures.TryGetProperty(Setting, out JsonElement found) ? new MarkerBaseline(found) : null;
-    }
+        => BaselineField.OfSet(folder) is { } figures
+            && (figures.Find("markers") ?? figures).Find(Setting) is { } found
+            ? new MarkerBaseline(found)
+            : null;
 }

@@ -74,6 +74,30 @@ public sealed class VisionBenchMarkerTests : IDisposable
             AssertRow(output, "corner RMS, markers, px", value: null, "0.92");
     }
 
+    [Theory]
+    [InlineData("{ \"sets\": { \"set\": { \"small-marker\": { \"found\": 1 } } } }",
+        ": \"sets.set.small-marker.of\" is missing")]
+    [InlineData("{ \"sets\": { \"set\": { \"small-marker\": { \"found\": \"one\" } } } }",
+        ": \"sets.set.small-marker.found\" is not a whole number")]
+    [InlineData("{ \"sets\": { \"set\": [] } }", ": \"sets.set\" is not an object")]
+    [InlineData("{ \"set\": 1 }", ": \"sets\" is missing")]
+    [InlineData("[]", " is not an object")]
+    [InlineData("{ \"sets\": ", " is no JSON: ")]
+    public void Run_FaultyReference_NamesFileAndField(string text, string fault)
+    {
+        string set = WriteSet($$"""
+            { "format": "uav-imagery-marker-crops", "crops": [
+              { "file": "{{FileOf("c001.png")}}", "expected": "none", "corners_px": {{Corners}} } ] }
+            """);
+        string file = Path.Combine(_parent, "baseline.json");
+        File.WriteAllText(file, text);
+
+        (int exit, _, string errors) = RunAll(set);
+
+        Assert.Equal(2, exit);
+        Assert.StartsWith(file + fault, errors, StringComparison.Ordinal);
+    }
+
     // A further reading of a picture that is not complete may be right; one of a complete one is wrong.
     [Theory]
     [InlineData("[]", false, "-", "0")]
