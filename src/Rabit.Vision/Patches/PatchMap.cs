@@ -42,7 +42,10 @@ internal sealed class PatchMap
 
     public void SetPicture(int width, int height) => (_width, _height) = (width, height);
 
-    public void Draw(ReadOnlySpan<Patch> parts, PatchFinder finder)
+    /// <param name="parts">At least one.</param>
+    /// <param name="finder">What found them.</param>
+    /// <param name="closesGaps">Whether what lies between their pixels belongs to them.</param>
+    public void Draw(ReadOnlySpan<Patch> parts, PatchFinder finder, bool closesGaps)
     {
         (int left, int top, int right, int bottom) = (int.MaxValue, int.MaxValue, 0, 0);
         foreach (ref readonly Patch part in parts)
@@ -57,7 +60,7 @@ internal sealed class PatchMap
         foreach (ref readonly Patch part in parts)
             finder.Draw(part, Own, Left, Top);
         Closed.Clear(Columns, Rows);
-        Reach(PatchGaps.TryClose(Own, Closed, Columns, GroundReach) ? Union() : Own);
+        Reach(closesGaps && PatchGaps.TryClose(Own, Closed, Columns, GroundReach) ? Union() : Own);
         LeaveOutside(right, bottom);
     }
 

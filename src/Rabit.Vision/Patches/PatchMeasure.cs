@@ -20,15 +20,14 @@ public sealed class PatchMeasure
     // What is so near of the way from the ground to the colour of the patch is more like that.
     private const double LikePatch = 0.5;
 
-    // Directions around a patch.
-    private const int Sectors = 16;
+    private const int Sectors = PatchSectors.Count;
     private const int FewOfSector = 3;
-    private const double TangentOfEighth = 0.41421356;
 
     private readonly PatchMap _map = new();
     private readonly BitGrid _half = new();   // what is covered by half and more
     private readonly PatchSamples _samples;
     private readonly GroundSlope _slope;
+    private readonly GroundLight _groundLight;
     private readonly MeanColour[] _sectors = new MeanColour[Sectors];
     private PicturePoint[] _outline = [];
     private float[] _coverage = [];
@@ -40,7 +39,8 @@ public sealed class PatchMeasure
     private bool _isLookedAt;
 
     /// <summary>Makes one; it measures once a picture is set.</summary>
-    public PatchMeasure() => (_samples, _slope) = (new PatchSamples(_map), new GroundSlope(_map));
+    public PatchMeasure()
+        => (_samples, _slope, _groundLight) = (new PatchSamples(_map), new GroundSlope(_map), new GroundLight(_map));
 
     /// <summary>Sets the picture whose patches are measured from now on.</summary>
     /// <param name="pixels">Red, green, blue, row by row; read until the next picture is set.</param>
@@ -65,13 +65,22 @@ public sealed class PatchMeasure
     /// </summary>
     /// <param name="parts">At least one, of the picture that is set.</param>
     /// <param name="shape">The colours and the contrast; of the rest only the area, roughly.</param>
-    public bool TryLook(ReadOnlySpan<Patch> parts, out PatchShape shape)
+    public bool TryLook(ReadOnlySpan<Patch> parts, out PatchShape shape) => TryLook(parts, closesGaps: true, out shape);
+
+    /// <summary>
+    /// The same where it is known whether what lies between its pixels, up to a quarter of its side, belongs to it, as
+    /// the windows of a car, or is ground or what hides it, as between the arms of a cross.
+    /// </summary>
+    /// <param name="parts">At least one, of the picture that is set.</param>
+    /// <param name="closesGaps">Whether it belongs to it.</param>
+    /// <param name="shape">As above.</param>
+    public bool TryLook(ReadOnlySpan<Patch> parts, bool closesGaps, out PatchShape shape)
     {
         shape = default;
         _isLookedAt = false;
         if (_finder is null || parts.IsEmpty)
             return false;
-        _map.Draw(parts, _finder);
+        _map.Draw(parts, _finder, closesGaps);
         if (_coverage.Length < _map.Columns * _map.Rows)
             _coverage = new float[_map.Columns * _map.Rows];
         _ground = _samples.Ground();
@@ -91,7 +100,7 @@ public sealed class PatchMeasure
     }
 
     /// <summary>Measures what was looked at last; false where too little of it is left.</summary>
-    /// <param name="shape">What <see cref="TryLook"/> gave; the rest is added.</param>
+    /// <param name="shape">What TryLook gave; the rest is added.</param>
     public bool TryMeasure(ref PatchShape shape)
     {
         if (!_isLookedAt)
@@ -107,10 +116,16 @@ public sealed class PatchMeasure
 
     /// <summary>
     /// Moves the centre of what was measured last to where it is on ground that is the same all around: other ground on
-    /// one side pulls it. Nothing else of it changes, so that only what may be a target needs it.
+    /// one side pulls it; says how different that is (<see cref="PatchShape.GroundDifference"/>). Nothing else of it
+    /// changes, so that only what may be a target needs it.
     /// </summary>
     /// <param name="shape">What <see cref="TryMeasure"/> gave.</param>
-    public void CorrectCentre(ref PatchShape shape) => _slope.Correct(_coverage, MinCoverage, ref shape);
+    public void CorrectCentre(ref PatchShape shape)
+    {
+        (double x, double y) = (shape.CentreX, shape.CentreY);
+        _slope.Correct(_coverage, MinCoverage, ref shape);
+        _groundLight.Correct(_pixels, _coverage, x, y, ref shape);
+    }
 
     /// <summary>Adds to what was measured last what lies around it (<see cref="PatchShape.OtherBeside"/>).</summary>
     /// <param name="shape">What <see cref="TryMeasure"/> gave.</param>
@@ -300,14 +315,6 @@ public sealed class PatchMeasure
         shape.GroundNoise = around == 0 ? 0 : Math.Sqrt(noise / around);
     }
 
-    // By halves, quarters and so on: the sign of each axis, which is longer, and whether both are about equal.
-    private static int SectorOf(double across, double down)
-    {
-        (double x, double y) = (Math.Abs(across), Math.Abs(down));
-        return (across < 0 ? 8 : 0) + (down < 0 ? 4 : 0) + (y > x ? 2 : 0)
-            + (Math.Min(x, y) > TangentOfEighth * Math.Max(x, y) ? 1 : 0);
-    }
-
     private void SumSectors(in PatchShape shape)
     {
         Array.Clear(_sectors, 0, Sectors);
@@ -320,7 +327,7 @@ public sealed class PatchMeasure
                     int column = (64 * word) + BitOperations.TrailingZeroCount(bits);
                     if (_coverage[(row * _map.Columns) + column] < LikePatch)
                     {
-                        _sectors[SectorOf(_map.Left + column - shape.CentreX, _map.Top + row - shape.CentreY)]
+                        _sectors[PatchSectors.Of(_map.Left + column - shape.CentreX, _map.Top + row - shape.CentreY)]
                             .AddHue(_pixels, _map.PixelAt(column, row));
                     }
                 }

@@ -61,6 +61,12 @@ public struct PatchShape
     public double GroundNoise { get; set; }
 
     /// <summary>
+    /// How much the ground differs from side to side, as a part of the contrast: much where something lies over a part
+    /// of it, as the crown of a tree. 0 until <see cref="PatchMeasure.CorrectCentre"/>.
+    /// </summary>
+    public double GroundDifference { get; set; }
+
+    /// <summary>
     /// How far the hue of what lies beside it in one direction is from that of the ground around, degrees between the
     /// two colours as vectors: what else may belong to it, as the trousers below a jacket. 0 until
     /// <see cref="PatchMeasure.MeasureSurroundings"/>.

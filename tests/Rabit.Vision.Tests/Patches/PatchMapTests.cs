@@ -17,8 +17,10 @@ public sealed class PatchMapTests(ITestOutputHelper output)
     private readonly PatchMap _map = new();
 
     /// <summary>Speckled things up to three words wide, some of them at the border.</summary>
-    [Fact]
-    public void Draw_AnyPatch_IsWhatTheDefinitionSays()
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void Draw_AnyPatch_IsWhatTheDefinitionSays(bool closesGaps)
     {
         int seed = Environment.TickCount;
         output.WriteLine($"seed {seed}");
@@ -28,10 +30,10 @@ public sealed class PatchMapTests(ITestOutputHelper output)
         Assert.Contains(patches, p => p.Right - p.Left > 64);
         foreach (Patch patch in patches)
         {
-            _map.Draw([patch], finder);
+            _map.Draw([patch], finder, closesGaps);
             bool[,] own = Cells(_map.Own);
             Assert.Equal(patch.Pixels, own.Cast<bool>().Count(isOwn => isOwn));
-            bool[,] closed = Close(own);
+            bool[,] closed = closesGaps ? Close(own) : new bool[own.GetLength(0), own.GetLength(1)];
             Assert.Equal(closed, Cells(_map.Closed));
             bool[,] near = Within(own, closed, 2);
             bool[,] far = Within(own, closed, 4);

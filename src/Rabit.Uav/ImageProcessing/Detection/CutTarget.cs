@@ -18,6 +18,9 @@ internal static class CutTarget
     // Of a square that stands on its corner, the box is so much wider than its side: in the mean of all directions.
     private const double BoxOfSide = 1.2;
 
+    // Of its box: what is turned, and a cross, has its middle elsewhere along the border than what is seen of it.
+    private const double FormSigma = 0.03;
+
     /// <summary>
     /// The same with the middle and the box of the whole, and a covariance with what is not known of that.
     /// </summary>
@@ -41,8 +44,9 @@ internal static class CutTarget
         whole.WidthPixels += 2 * Math.Abs(offX);
         whole.HeightPixels += 2 * Math.Abs(offY);
         PixelCovariance own = seen.Covariance;
+        double form = FormSigma * FormSigma * seen.WidthPixels * seen.HeightPixels;
         whole.Covariance = new PixelCovariance(
-            own.ColumnColumn + varianceX, own.ColumnRow, own.RowRow + varianceY);
+            own.ColumnColumn + form + varianceX, own.ColumnRow, own.RowRow + form + varianceY);
         return whole;
     }
 

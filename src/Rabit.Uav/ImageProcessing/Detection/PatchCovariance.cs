@@ -8,11 +8,11 @@ internal static class PatchCovariance
 {
     // Square pixels, what no picture is without: the samples of the edge, the curve of the light, the steps of the
     // levels.
-    private const double BaseVariance = 0.9e-3;
+    private const double BaseVariance = 0.86e-3;
 
     // Ground whose texture is as coarse as the patch is wide counts as covered on one side and not on the other: the
     // more so the less the patch stands out, and whatever its size.
-    private const double GroundGain = 1.42;
+    private const double GroundGain = 1.38;
 
     // Levels: a JPEG has colour in half of the rows and columns and in coarse steps. It shifts an edge that only colour
     // shows, and the more the less that is.
@@ -23,8 +23,15 @@ internal static class PatchCovariance
     private const double PartsSigma = 0.066;
     private const double PartsEdgeVariance = 0.019;
 
-    // What the border cuts, in parts of the side; and shade over a part of it, by how uneven it is.
-    private const double CutSigma = 0.03;
+    // Ground that differs much from side to side is what hides a part of the target: how far its edge goes beneath the
+    // blur is not known.
+    private const double HiddenGain = 0.6;
+    private const double AlikeUpTo = 0.05;
+
+    // Square pixels, where the border cuts it along as much as its side; and shade over a part of it, in parts of the
+    // side, by how uneven it is.
+    private const double CutVariance = 2.4e-3;
+    private const double MostCut = 2;
     private const double ShadeGain = 0.3;
     private const double EvenUpTo = 0.15;
 
@@ -37,11 +44,13 @@ internal static class PatchCovariance
     public static PixelCovariance Of(in PatchShape shape, bool hasParts)
     {
         double side = Math.Sqrt(shape.Area);
-        double cut = shape.TouchesBorder ? CutSigma * side : 0;
+        double cut = Math.Min(MostCut, shape.CutLength / side);
+        double hidden = Math.Max(0, shape.GroundDifference - AlikeUpTo);
         double shade = ShadeGain * side * Math.Max(0, shape.Unevenness - EvenUpTo);
         double colour = ColourLevels / shape.Contrast;
         double own = BaseVariance + (GroundGain * shape.GroundNoise * shape.GroundNoise)
-            + (colour * colour * ColourShare(shape)) + (cut * cut) + (shade * shade);
+            + (HiddenGain * hidden * hidden) + (colour * colour * ColourShare(shape)) + (CutVariance * cut * cut)
+            + (shade * shade);
         if (!hasParts)
             return WithEnds(shape, own);
         own += PartsEdgeVariance;

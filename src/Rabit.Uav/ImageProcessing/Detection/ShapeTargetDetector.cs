@@ -203,7 +203,8 @@ public sealed class ShapeTargetDetector : ITargetDetector
     private void Measure(in GroundScale scale)
     {
         ReadOnlySpan<Patch> parts = _groups.Parts;
-        if (!_measure.TryLook(parts, out PatchShape shape)
+        bool closesGaps = _colours[parts[0].Colour].HasParts;
+        if (!_measure.TryLook(parts, closesGaps, out PatchShape shape)
             || _table.CostOf(shape, parts[0].Colour, _light, out double mixed) > MaxColourCost
             || !_measure.TryMeasure(ref shape) || shape.Area < MinAreaPixels)
             return;
