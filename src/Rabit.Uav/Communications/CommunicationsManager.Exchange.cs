@@ -14,7 +14,7 @@ public sealed partial class CommunicationsManager
     // Senders push all they saw in one picture at once.
     private const int VehicleMessagesWaiting = 256;
 
-    // While there is no room on a link for what is due.
+    // While there is no room on a link for what is due, at the least.
     private static readonly TimeSpan RetryDelay = TimeSpan.FromTicks(20 * TimeSpan.TicksPerMillisecond);
 
     private readonly VehicleMessageChannel[] _channels;
@@ -87,7 +87,22 @@ public sealed partial class CommunicationsManager
         while (exchange.TryNext(Now, _datagram, out ExchangeDatagram datagram))
             Send(datagram);
         TimeSpan due = exchange.NextDue(Now);
-        _exchangeDue = due > Now + RetryDelay ? due : Now + RetryDelay;
+        TimeSpan retry = Now + TimeToRoom();
+        _exchangeDue = due > retry ? due : retry;
+    }
+
+    // Until the limit of some link lets the next datagram through; where one does, what else it lacks is room for a
+    // class, which it has soon.
+    private TimeSpan TimeToRoom()
+    {
+        TimeSpan? earliest = null;
+        foreach (LinkPort port in _ports)
+        {
+            if (port.TimeToRoom(Now) is { } wait && !(wait >= earliest))
+                earliest = wait;
+        }
+
+        return earliest > RetryDelay ? earliest.Value : RetryDelay;
     }
 
     private void TakeFrom(MessageExchange exchange)

@@ -151,7 +151,8 @@ public sealed partial class CommunicationsManager : RabitManager
             file: null,
             settings,
             new TunnelRateLimiter(Math.Min(
-                settings.BytesPerSecond ?? int.MaxValue, _options.VehicleMessageBytesPerSecond)),
+                settings.BytesPerSecond ?? int.MaxValue, _options.VehicleMessageBytesPerSecond),
+                LinkPort.MaxTunnelLength),
             MakeScheduler(number)));
         _router.SetLink(
             number,
@@ -180,7 +181,7 @@ public sealed partial class CommunicationsManager : RabitManager
             link: null,
             file,
             _options.SettingsOf(number),
-            new TunnelRateLimiter(_options.VehicleMessageBytesPerSecond),
+            new TunnelRateLimiter(_options.VehicleMessageBytesPerSecond, LinkPort.MaxTunnelLength),
             scheduler: null));
 
         // What was recorded is never sent to a live link.

@@ -203,6 +203,8 @@ public sealed class CommunicationsOptions
             yield return $"{nameof(LinkSettings)}, or one of them, is null; it may be empty, but not null";
         foreach (int link in (LinkSettings?.Keys ?? []).Where(l => l < 0 || l >= Count))
             yield return $"{nameof(LinkSettings)} has link {link}, but there are {Count} links, numbered from 0";
+        foreach (string fault in FindFaultsOfRates())
+            yield return fault;
         if (Count == 0)
             yield return "there is no link";
         if (Count > MavlinkRouter.MaxLinks)
@@ -211,6 +213,17 @@ public sealed class CommunicationsOptions
             yield return fault;
         foreach (string fault in FindFaultsOfBudgets())
             yield return fault;
+    }
+
+    private IEnumerable<string> FindFaultsOfRates()
+    {
+        foreach (KeyValuePair<int, LinkSettings> settings in LinkSettings ?? new Dictionary<int, LinkSettings>())
+        {
+            if (settings.Value?.BytesPerSecond < SendBudget.MinBytesPerSecond)
+                yield return $"{nameof(LinkSettings)} of link {settings.Key}: "
+                    + $"{nameof(settings.Value.BytesPerSecond)} is {settings.Value.BytesPerSecond}; "
+                    + $"it must be at least {SendBudget.MinBytesPerSecond}";
+        }
     }
 
     private IEnumerable<string> FindFaultsOfBudgets()

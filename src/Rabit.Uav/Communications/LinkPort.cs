@@ -28,7 +28,7 @@ internal sealed class LinkPort(
     LinkScheduler? scheduler)
 {
     // Header, checksum, what TUNNEL says of its content, and the content.
-    private const int MaxTunnelLength = 12 + 5 + ExchangeWire.MaxLength;
+    internal const int MaxTunnelLength = 12 + 5 + ExchangeWire.MaxLength;
 
     // Enough that the link never waits for us; what else waits in the exchange is sent in the order of its classes.
     private const int MaxWaitingMessages = 4;
@@ -193,6 +193,11 @@ internal sealed class LinkPort(
     public bool HasRoom(SendClass sendClass, TimeSpan now)
         => IsSending && rateLimiter.HasRoom(MaxTunnelLength, now)
             && (Scheduler is null || Scheduler.WaitingOf(sendClass) < MaxWaitingMessages);
+
+    /// <summary>
+    /// How long until their limit lets the longest of them through; null where nothing is sent over the link.
+    /// </summary>
+    public TimeSpan? TimeToRoom(TimeSpan now) => IsSending ? rateLimiter.TimeToRoom(MaxTunnelLength, now) : null;
 
     /// <summary>Counts a frame of vehicle messages against their limit.</summary>
     public void TakeRate(in MavlinkFrame frame) => rateLimiter.Take(frame.WireLength);

@@ -96,6 +96,25 @@ public sealed class LinkSettingsTests
         Assert.Equal((null, false), (Status(rig, 1).Name, Status(rig, 1).IsOptional));
     }
 
+    [Theory]
+    [InlineData(99)]
+    [InlineData(0)]
+    [InlineData(-1)]
+    public void Settings_RateThatCarriesNothing_IsRefusedByName(int rate)
+    {
+        var options = new CommunicationsOptions
+        {
+            Links = [new MemoryLinkPair("a").A],
+            LinkSettings = new Dictionary<int, LinkSettings> { [0] = new() { BytesPerSecond = rate } },
+        };
+
+        var fault = Assert.Throws<ArgumentException>(() => new CommunicationsManager(options));
+
+        Assert.Contains(
+            $"LinkSettings of link 0: BytesPerSecond is {rate}; it must be at least 100", fault.Message,
+            StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Settings_OfALinkThatIsNotThere_AreRefused()
     {

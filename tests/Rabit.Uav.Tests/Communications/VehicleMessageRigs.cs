@@ -36,13 +36,18 @@ internal sealed class VehicleMessageRig : IDisposable
     private readonly QueueSender<Envelope<TargetReport>> _outgoing;
     private readonly MessageSubscriber<VehicleMessageStatus> _status;
 
-    public VehicleMessageRig(int links, bool knowsAddress = true)
+    public VehicleMessageRig(int links, bool knowsAddress = true, LinkSettings? settings = null)
     {
         QueueSender<Envelope<TargetReport>>? outgoing = null;
         MessageSubscriber<VehicleMessageStatus>? status = null;
         Rig = new CommunicationsRig(
             links,
-            o => (o.VehicleMessageRoutes, o.PositionRateHz) = ([VehicleMessageRig.Route()], 0),
+            o =>
+            {
+                (o.VehicleMessageRoutes, o.PositionRateHz) = ([VehicleMessageRig.Route()], 0);
+                if (settings is not null)
+                    o.LinkSettings = new Dictionary<int, LinkSettings> { [0] = settings };
+            },
             beforeStart: reactor =>
             {
                 reactor.Add(_sink);

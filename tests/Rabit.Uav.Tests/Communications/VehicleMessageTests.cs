@@ -40,6 +40,24 @@ public sealed class VehicleMessageTests
         Assert.InRange((air.Received(1)[0].Time - sent.Time).TotalMilliseconds, 0, 5);
     }
 
+    // A datagram of 145 bytes takes 1.5 s there.
+    [Fact]
+    public void Message_LinkCarriesLessThanADatagramASecond_GoesOutInItsTurnAndIsWaitedForWithoutPolling()
+    {
+        using var rig = new VehicleMessageRig(links: 1, settings: new LinkSettings { BytesPerSecond = 100 });
+        for (int picture = 1; picture <= 4; picture++)
+            rig.Send(Report(picture));
+        rig.Rig.Run(TimeSpan.FromSeconds(20));
+        Assert.Equal(4, rig.Rig.ReceivedFrames(0).Count(f => f.MessageId == Tunnel.MavlinkId));
+
+        for (int picture = 5; picture <= 8; picture++)
+            rig.Send(Report(picture));
+        long runs = rig.Rig.Finish().Managers.Single(m => m.Name == CommunicationsManager.ManagerName).Runs;
+
+        // Every 200 ms for all that is due anyway; every 20 ms while there is no room: another 200.
+        Assert.InRange(runs, 1, 190);
+    }
+
     [Fact]
     public void Message_SourceInTheContent_IsIgnored()
     {

@@ -96,6 +96,22 @@ public sealed class LinkCopyTests
         Assert.Equal(1, exchange.Counters.CopiesHeldBack);
     }
 
+    // What was announced before, and one link did not get yet, is of a vehicle that there is no more.
+    [Fact]
+    public void Announcement_SystemIdChangesBeforeALinkHadRoom_IsAnnouncedWithTheNewOne()
+    {
+        MessageExchange exchange = _links.Open(systemId: 1, announces: true);
+        _links.Free = Telemetry;
+        Assert.Equal([Telemetry], Send(exchange, 0));
+        exchange.SystemId = 7;
+        _links.Free = Telemetry | Radio;
+        Assert.True(exchange.NextDue(TimeSpan.FromSeconds(0.1)) <= TimeSpan.FromSeconds(0.1));
+        Assert.True(ExchangeWire.TryRead(Next(exchange, 0.1), out ExchangeAnnouncement announcement));
+        Assert.Equal(7, announcement.Source);
+        Assert.Empty(Send(exchange, 0.1));
+        Assert.Equal(1, exchange.Counters.CopiesHeldBack);
+    }
+
     private static List<DeliveryOutcome> Reports(MessageExchange exchange)
     {
         var outcomes = new List<DeliveryOutcome>();

@@ -124,6 +124,14 @@ internal sealed partial class MessageExchange
         _nextAnnouncement = Earlier(_nextAnnouncement, soon > now ? soon : now);
     }
 
+    // The last announcement was of another vehicle: no link is to get that any more.
+    private void AnnounceAnew()
+    {
+        if (_lastAnnouncement is not null)
+            _counters.CopiesHeldBack += Room(0, VehicleMessageClass.Coordination).Missed(_announcedOver);
+        (_lastAnnouncement, _nextAnnouncement) = (null, TimeSpan.Zero);
+    }
+
     private bool TryAnnounce(TimeSpan now, Span<byte> to, out ExchangeDatagram datagram)
     {
         datagram = default;

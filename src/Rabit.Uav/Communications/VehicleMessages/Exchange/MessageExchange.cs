@@ -69,9 +69,11 @@ internal sealed partial class MessageExchange
         get => _systemId;
         set
         {
-            if (value != _systemId)
-                _random.Stir(value);
+            if (value == _systemId)
+                return;
+            _random.Stir(value);
             _systemId = value;
+            AnnounceAnew();
         }
     }
 
