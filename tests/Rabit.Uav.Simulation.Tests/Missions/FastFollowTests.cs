@@ -73,6 +73,18 @@ public sealed class FastFollowTests(ITestOutputHelper output)
         CheckTracks(all, MinCaptured);
     }
 
+    // What keeps the vehicle behind a steady car is how fast it may change its velocity: by default less than the car
+    // does in its curves.
+    [Fact, Trait("Category", "Long")]
+    public void Follow_CarAtASteadyEightMetresPerSecondWithAnAccelerationOfFour_IsCapturedInEachFlight()
+    {
+        FastFollowFigures[] all = FlyAll(
+            SimulatedGimbal.FollowsHeading, SimulatedMotion.SteadyVehicle, isPointed: true, seeds: 2 * Seeds,
+            centimetresPerSecond2: 400);
+        CheckInView(all);
+        CheckTracks(all, 2 * Seeds);
+    }
+
     // In each flight, from when it was confirmed: captured or not.
     private static void CheckInView(FastFollowFigures[] all)
     {
@@ -101,10 +113,11 @@ public sealed class FastFollowTests(ITestOutputHelper output)
     }
 
     private FastFollowFigures[] FlyAll(
-        SimulatedGimbal gimbal, SimulatedMotion motion, bool isPointed = false, int seeds = Seeds)
+        SimulatedGimbal gimbal, SimulatedMotion motion, bool isPointed = false, int seeds = Seeds,
+        double? centimetresPerSecond2 = null)
     {
         FastFollowFigures[] flights = Enumerable.Range(1, seeds)
-            .Select(seed => Fly(seed, gimbal, motion, isPointed)).ToArray();
+            .Select(seed => Fly(seed, gimbal, motion, isPointed, centimetresPerSecond2)).ToArray();
         FastFollowFigures[] all = Captured(flights);
         double squares = all.Sum(f => f.Errors.Sum(e => e.SquaredMetres));
         Print("all", all.Sum(f => f.InView) / (double)all.Sum(f => f.Samples),
@@ -113,7 +126,8 @@ public sealed class FastFollowTests(ITestOutputHelper output)
         return flights;
     }
 
-    private FastFollowFigures Fly(int seed, SimulatedGimbal gimbal, SimulatedMotion motion, bool isPointed)
+    private FastFollowFigures Fly(
+        int seed, SimulatedGimbal gimbal, SimulatedMotion motion, bool isPointed, double? centimetresPerSecond2)
     {
         var options = new SimulationOptions
         {
@@ -123,6 +137,8 @@ public sealed class FastFollowTests(ITestOutputHelper output)
             Motions = [motion],
             Camera = new SimulatedCameraOptions { Gimbal = gimbal },
         };
+        if (centimetresPerSecond2 is { } acceleration)
+            options.Parameters = new Dictionary<string, double> { ["WPNAV_ACCEL"] = acceleration };
         options.TakePlacesFrom(SearchFlight.BundledPlan());
         GimbalFrame frame = gimbal == SimulatedGimbal.AgainstBody ? GimbalFrame.Body : GimbalFrame.Heading;
         using var flight = new SearchFlight(
