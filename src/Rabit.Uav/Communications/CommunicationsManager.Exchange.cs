@@ -14,7 +14,8 @@ public sealed partial class CommunicationsManager
     // Senders push all they saw in one picture at once.
     private const int VehicleMessagesWaiting = 256;
 
-    // While there is no room on a link for what is due, at the least.
+    // While there is no room on a link for what is due, at the least: where its limit lets a datagram through, room for
+    // another of the class comes as soon as one is sent.
     private static readonly TimeSpan RetryDelay = TimeSpan.FromTicks(20 * TimeSpan.TicksPerMillisecond);
 
     private readonly VehicleMessageChannel[] _channels;
@@ -87,22 +88,7 @@ public sealed partial class CommunicationsManager
         while (exchange.TryNext(Now, _datagram, out ExchangeDatagram datagram))
             Send(datagram);
         TimeSpan due = exchange.NextDue(Now);
-        TimeSpan retry = Now + TimeToRoom();
-        _exchangeDue = due > retry ? due : retry;
-    }
-
-    // Until the limit of some link lets the next datagram through; where one does, what else it lacks is room for a
-    // class, which it has soon.
-    private TimeSpan TimeToRoom()
-    {
-        TimeSpan? earliest = null;
-        foreach (LinkPort port in _ports)
-        {
-            if (port.TimeToRoom(Now) is { } wait && !(wait >= earliest))
-                earliest = wait;
-        }
-
-        return earliest > RetryDelay ? earliest.Value : RetryDelay;
+        _exchangeDue = due > Now + RetryDelay ? due : Now + RetryDelay;
     }
 
     private void TakeFrom(MessageExchange exchange)
@@ -163,7 +149,7 @@ public sealed partial class CommunicationsManager
     {
         ulong links = system == 0 ? ulong.MaxValue : _router.LinksOf(system, 0);
         SendClass sendClass = SendClasses.Of(messageClass);
-        (ulong wanted, ulong free) = (0, 0);
+        (ulong wanted, ulong free, TimeSpan? wait) = (0, 0, null);
         foreach (LinkPort port in _ports)
         {
             ulong link = 1UL << port.Number;
@@ -172,9 +158,11 @@ public sealed partial class CommunicationsManager
             wanted |= link;
             if (port.HasRoom(sendClass, Now))
                 free |= link;
+            else if (port.TimeToRoom(Now) is var next && !(next >= wait))
+                wait = next;
         }
 
-        return new LinkRoom(wanted, free);
+        return new LinkRoom(wanted, free) { Wait = wait ?? TimeSpan.Zero };
     }
 
     /// <returns>Whether it is part of the exchange, which does not concern the autopilot.</returns>

@@ -194,10 +194,8 @@ internal sealed class LinkPort(
         => IsSending && rateLimiter.HasRoom(MaxTunnelLength, now)
             && (Scheduler is null || Scheduler.WaitingOf(sendClass) < MaxWaitingMessages);
 
-    /// <summary>
-    /// How long until their limit lets the longest of them through; null where nothing is sent over the link.
-    /// </summary>
-    public TimeSpan? TimeToRoom(TimeSpan now) => IsSending ? rateLimiter.TimeToRoom(MaxTunnelLength, now) : null;
+    /// <summary>How long until their limit lets the longest of them through.</summary>
+    public TimeSpan TimeToRoom(TimeSpan now) => rateLimiter.TimeToRoom(MaxTunnelLength, now);
 
     /// <summary>Counts a frame of vehicle messages against their limit.</summary>
     public void TakeRate(in MavlinkFrame frame) => rateLimiter.Take(frame.WireLength);

@@ -58,6 +58,20 @@ public sealed class VehicleMessageTests
         Assert.InRange(runs, 1, 190);
     }
 
+    // The other link has room at any time, and nothing more to send.
+    [Fact]
+    public void Message_SlowLinkBesideAFastOne_IsWaitedForWithoutPolling()
+    {
+        using var rig = new VehicleMessageRig(links: 2, settings: new LinkSettings { BytesPerSecond = 100 });
+        for (int picture = 1; picture <= 6; picture++)
+            rig.Send(Report(picture));
+        rig.Rig.Run(TimeSpan.FromSeconds(12));
+        Assert.Equal(6, rig.Rig.ReceivedFrames(1).Count(f => f.MessageId == Tunnel.MavlinkId));
+        Assert.Equal(6, rig.Rig.ReceivedFrames(0).Count(f => f.MessageId == Tunnel.MavlinkId));
+        long runs = rig.Rig.Finish().Managers.Single(m => m.Name == CommunicationsManager.ManagerName).Runs;
+        Assert.InRange(runs, 1, 140);
+    }
+
     [Fact]
     public void Message_SourceInTheContent_IsIgnored()
     {

@@ -96,6 +96,18 @@ public sealed class LinkCopyTests
         Assert.Equal(1, exchange.Counters.CopiesHeldBack);
     }
 
+    [Theory]
+    [InlineData(Telemetry)]
+    [InlineData(0)]
+    public void NextDue_LinkHasRoomLater_IsThenAndNotBefore(ulong free)
+    {
+        MessageExchange exchange = _links.Open(systemId: 1, announces: true);
+        (_links.Free, _links.Wait) = (free, TimeSpan.FromSeconds(1.45));
+        exchange.Post(Message(0), TimeSpan.Zero);
+        Send(exchange, 0);
+        Assert.Equal(TimeSpan.FromSeconds(1.45), exchange.NextDue(TimeSpan.Zero));
+    }
+
     // What was announced before, and one link did not get yet, is of a vehicle that there is no more.
     [Fact]
     public void Announcement_SystemIdChangesBeforeALinkHadRoom_IsAnnouncedWithTheNewOne()

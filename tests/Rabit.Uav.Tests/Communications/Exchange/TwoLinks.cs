@@ -16,9 +16,12 @@ internal sealed class TwoLinks
     /// <summary>The links with room.</summary>
     public ulong Free { get; set; } = Telemetry | Radio;
 
+    /// <summary>How long until those without room may have some.</summary>
+    public TimeSpan Wait { get; set; }
+
     public MessageExchange Open(byte systemId, bool announces = false) => new(
         new VehicleExchangeOptions { Announces = announces }, systemId, new ExchangeRandom(1),
-        (_, _) => new LinkRoom(Telemetry | Radio, Free));
+        (_, _) => new LinkRoom(Telemetry | Radio, Free) { Wait = Wait });
 
     /// <summary>Sends all that goes out now.</summary>
     /// <returns>Over which links each datagram goes.</returns>

@@ -31,19 +31,20 @@ internal sealed class ExchangeRelay(ExchangeRandom random, Func<VehicleMessageCl
     /// <summary>Copies that links without room did not get, while others did.</summary>
     public long CopiesHeldBack { get; private set; }
 
-    public TimeSpan NextDue
+    /// <summary>When the next one is due, and what was due already may have room.</summary>
+    public TimeSpan NextDue(TimeSpan now)
     {
-        get
+        TimeSpan due = TimeSpan.MaxValue;
+        foreach (Waiting waiting in _waiting)
         {
-            TimeSpan due = TimeSpan.MaxValue;
-            foreach (Waiting waiting in _waiting)
-            {
-                if (waiting.Due < due)
-                    due = waiting.Due;
-            }
-
-            return due;
+            LinkRoom room = roomFor(waiting.Class);
+            bool isHeldUp = waiting.Due <= now && room.Left(waiting.Carried) == 0;
+            TimeSpan next = isHeldUp ? now + room.Wait : waiting.Due;
+            if (next < due)
+                due = next;
         }
+
+        return due;
     }
 
     /// <returns>False where it was sent on a moment ago, or there is no room.</returns>

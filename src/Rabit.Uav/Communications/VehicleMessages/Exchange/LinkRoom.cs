@@ -1,3 +1,5 @@
+using System;
+
 namespace Rabit.Uav.Communications;
 
 /// <summary>Over which links a datagram is to go, a bit for each. A plain value.</summary>
@@ -7,6 +9,9 @@ internal readonly record struct LinkRoom(ulong Wanted, ulong Free)
 {
     /// <summary>Of one link with room.</summary>
     public static LinkRoom Always { get; } = new(1, 1);
+
+    /// <summary>How long until one of the others may have room; zero where that is not known.</summary>
+    public TimeSpan Wait { get; init; }
 
     /// <summary>The links that have room and did not carry it yet.</summary>
     public ulong Left(ulong carried) => Free & ~carried;

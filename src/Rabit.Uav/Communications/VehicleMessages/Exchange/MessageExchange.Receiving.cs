@@ -207,8 +207,7 @@ internal sealed partial class MessageExchange
         foreach (IncomingExchange incoming in _incoming.Values)
         {
             int limit = incoming.Header.Hops >> 4;
-            bool isDue = incoming.AcknowledgementDue <= now
-                && HasRoom(limit == 0 ? incoming.Header.Source : (byte)0, VehicleMessageClass.Command);
+            bool isDue = incoming.AcknowledgementDue <= now && RoomForAnswer(incoming).Free != 0;
             if (!isDue)
                 continue;
             incoming.AcknowledgementDue = null;

@@ -34,23 +34,32 @@ internal sealed partial class MessageExchange
     /// <summary>When <see cref="TryNext"/> is to be asked again, if nothing comes in or is posted before.</summary>
     public TimeSpan NextDue(TimeSpan now)
     {
-        TimeSpan due = _announces ? Earlier(_nextAnnouncement, _relay.NextDue) : _relay.NextDue;
-        if (IsAnnouncementMissing(Room(0, VehicleMessageClass.Coordination)))
-            due = Earlier(due, now);
+        TimeSpan due = _relay.NextDue(now);
+        LinkRoom toAll = Room(0, VehicleMessageClass.Coordination);
+        if (_announces)
+            due = Earlier(due, NextWithRoom(_nextAnnouncement, now, toAll));
+        if (IsAnnouncementMissing(toAll))
+            due = Earlier(due, toAll.Left(_announcedOver) != 0 ? now : now + toAll.Wait);
         foreach (OutgoingExchange outgoing in _outgoing)
         {
-            outgoing.TryNext(now, _roundTrip, RoomFor(outgoing), out _, out TimeSpan next);
+            LinkRoom room = RoomFor(outgoing);
+            bool isReady = outgoing.TryNext(now, _roundTrip, room, out _, out TimeSpan next);
+            next = isReady || next > now ? NextWithRoom(next, now, room) : now + room.Wait;
             due = Earlier(Earlier(due, next), outgoing.Deadline);
         }
 
         foreach (IncomingExchange incoming in _incoming.Values)
         {
             if (incoming.AcknowledgementDue is { } acknowledgement)
-                due = Earlier(due, acknowledgement);
+                due = Earlier(due, NextWithRoom(acknowledgement, now, RoomForAnswer(incoming)));
         }
 
         return due;
     }
+
+    // What is due, and no link has room for, waits for that.
+    private static TimeSpan NextWithRoom(TimeSpan due, TimeSpan now, LinkRoom room)
+        => due <= now && room.Free == 0 ? now + room.Wait : due;
 
     private bool TrySendFragment(TimeSpan now, Span<byte> to, out ExchangeDatagram datagram)
     {
@@ -109,8 +118,9 @@ internal sealed partial class MessageExchange
             ? message.Destination.Number
             : (byte)0;
 
-    private bool HasRoom(byte targetSystem, VehicleMessageClass messageClass)
-        => Room(targetSystem, messageClass).Free != 0;
+    // An answer to what may have been relayed goes to all, to be relayed too.
+    private LinkRoom RoomForAnswer(IncomingExchange incoming)
+        => Room(incoming.Header.Hops >> 4 == 0 ? incoming.Header.Source : (byte)0, VehicleMessageClass.Command);
 
     private LinkRoom Room(byte targetSystem, VehicleMessageClass messageClass)
         => _room is null ? LinkRoom.Always : _room(targetSystem, messageClass);
