@@ -135,7 +135,7 @@ internal sealed partial class MessageExchange
     }
 
     // The last announcement was of another vehicle: no link is to get that any more.
-    private void AnnounceAnew()
+    private void DropAnnouncement()
     {
         if (_lastAnnouncement is not null)
             _counters.CopiesHeldBack += Room(0, VehicleMessageClass.Coordination).Missed(_announcedOver);

@@ -73,7 +73,7 @@ internal sealed partial class MessageExchange
                 return;
             _random.Stir(value);
             _systemId = value;
-            AnnounceAnew();
+            DropAnnouncement();
         }
     }
 
