@@ -15,8 +15,8 @@ namespace Rabit.Uav.Simulation.Tests.Vision;
 internal sealed class PartialTargets
 {
     private const double MinPixels = 6;
-    private const double LeastSeen = 0.5;
-    private const double MostSeenOfPartial = 0.95;
+    private const double MinSeen = 0.5;
+    private const double MaxSeenOfPartial = 0.95;
     private const int Samples = 5;
 
     private static readonly (string Name, byte Red, byte Green, byte Blue)[] Colours =
@@ -77,7 +77,7 @@ internal sealed class PartialTargets
         scene.Draw(form.Contains, x, y, form.Reach, DrawnScene.Linear(red, green, blue, light));
         if (cover is not null)
             Draw(scene, cover);
-        if (seen >= LeastSeen && (_kind is PartialKind.Clear or PartialKind.Clipped || seen < MostSeenOfPartial))
+        if (seen >= MinSeen && (_kind is PartialKind.Clear or PartialKind.Clipped || seen < MaxSeenOfPartial))
             _targets.Add(new PartialTarget(form, name, seenX, seenY, seen));
     }
 
@@ -109,7 +109,7 @@ internal sealed class PartialTargets
                 _random.Next(2) == 0 ? TargetShape.Circle : TargetShape.Rectangle,
                 form.X + (away * Math.Cos(direction)), form.Y + (away * Math.Sin(direction)), side,
                 2 * Math.PI * _random.NextDouble());
-            if (Seen(form, cover).Part is >= LeastSeen and < MostSeenOfPartial)
+            if (Seen(form, cover).Part is >= MinSeen and < MaxSeenOfPartial)
                 return cover;
         }
 

@@ -31,7 +31,7 @@ internal static class PatchCovariance
     // Square pixels, where the border cuts it along as much as its side; and shade over a part of it, in parts of the
     // side, by how uneven it is.
     private const double CutVariance = 2.4e-3;
-    private const double MostCut = 2;
+    private const double MaxCut = 2;
     private const double ShadeGain = 0.3;
     private const double EvenUpTo = 0.15;
 
@@ -44,7 +44,7 @@ internal static class PatchCovariance
     public static PixelCovariance Of(in PatchShape shape, bool hasParts)
     {
         double side = Math.Sqrt(shape.Area);
-        double cut = Math.Min(MostCut, shape.CutLength / side);
+        double cut = Math.Min(MaxCut, shape.CutLength / side);
         double hidden = Math.Max(0, shape.GroundDifference - AlikeUpTo);
         double shade = ShadeGain * side * Math.Max(0, shape.Unevenness - EvenUpTo);
         double colour = ColourLevels / shape.Contrast;
