@@ -71,8 +71,8 @@ internal static class PhotoManifest
             : [];
         double metresPerPixel = json.TryGetProperty("metres_per_pixel", out JsonElement known) ? known.GetDouble()
             : panels.Length > 0 ? PanelSideMetres / panels.Average(p => p.Size)
-            : MetresPerPixelOf.Where(p => Path.GetFileName(file).Split('_').Contains(p.Key)).Select(p => p.Value / scale)
-                .DefaultIfEmpty(double.NaN).First();
+            : MetresPerPixelOf.Where(p => Path.GetFileName(file).Split('_').Contains(p.Key))
+                .Select(p => p.Value / scale).DefaultIfEmpty(double.NaN).First();
         if (double.IsNaN(metresPerPixel))
             return null;
         if (!(metresPerPixel > 0) || double.IsInfinity(metresPerPixel))

@@ -27,8 +27,8 @@ public sealed class TestTimeoutTests
     }
 
     /// <summary>
-    /// A manager that was restarted for ever changed what a test had awaited before the test looked, and the test waited
-    /// for it for hours.
+    /// A manager that was restarted for ever changed what a test had awaited before the test looked, and the test
+    /// waited for it for hours.
     /// </summary>
     [Fact]
     public void TryWait_PulsedAllTheTime_IsOverAllTheSame()

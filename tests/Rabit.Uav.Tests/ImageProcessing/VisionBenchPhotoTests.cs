@@ -9,7 +9,9 @@ using Xunit;
 
 namespace Rabit.Uav.Tests.ImageProcessing;
 
-/// <summary>Photos with a manifest in the program that scores detectors: panels on the ground, and bare ground.</summary>
+/// <summary>
+/// Photos with a manifest in the program that scores detectors: panels on the ground, and bare ground.
+/// </summary>
 public sealed class VisionBenchPhotoTests : IDisposable
 {
     private const int Width = 240;

@@ -225,9 +225,16 @@ public sealed class V4l2CameraTests : IDisposable
             MaxWait);
         Assert.True(isFault, string.Join("\n", _log));
         string line = _log.First(l => l.StartsWith(fault, StringComparison.Ordinal));
-        Assert.EndsWith("; it is opened again in 0.05 s", line, StringComparison.Ordinal);
 
-        Assert.True(SpinWait.SpinUntil(() => _camera!.Statistics.Restarts == 1, MaxWait), $"{_camera!.Statistics}");
+        // On a busy machine it may have had no picture for so long before.
+        Assert.Matches(@"; it is opened again in 0\.\d+ s$", line);
+
+        Assert.True(
+            SpinWait.SpinUntil(
+                () => _camera!.Statistics.Restarts > 0 && _camera.Statistics.Restarts == _log.Count(
+                    l => l.Contains("it is opened again", StringComparison.Ordinal)),
+                MaxWait),
+            $"{_camera!.Statistics}");
         _system.Deliver(Jpeg);
         Take(2);
         Assert.Null(_camera.Statistics.Fault);
