@@ -21,8 +21,12 @@ internal sealed class PictureSet
         $"A set is a folder with a {TruthFile} (format {TruthFormat}), or a {PhotoManifest.FileName} of photos, and the "
         + "pictures that it lists.";
 
-    private PictureSet(string folder, ImmutableArray<TargetClass> classes, ImmutableArray<ListedFrame> frames)
-        => (Name, Classes, Frames) = (new DirectoryInfo(folder).Name, classes, frames);
+    private PictureSet(
+        string folder, ImmutableArray<TargetClass> classes, ImmutableArray<ListedFrame> frames, int withoutScale = 0)
+    {
+        (Name, Classes, Frames) = (new DirectoryInfo(folder).Name, classes, frames);
+        WithoutScale = withoutScale;
+    }
 
     public string Name { get; }
 
@@ -32,7 +36,7 @@ internal sealed class PictureSet
     public ImmutableArray<ListedFrame> Frames { get; }
 
     /// <summary>Pictures in the list that are not searched, since nothing says what a pixel is on the ground.</summary>
-    public int WithoutScale { get; private init; }
+    public int WithoutScale { get; }
 
     /// <exception cref="FormatException">It is no set of that format.</exception>
     /// <exception cref="IOException">It cannot be read.</exception>
@@ -40,13 +44,7 @@ internal sealed class PictureSet
     {
         string path = Path.Combine(folder, TruthFile);
         if (!File.Exists(path) && PhotoManifest.TryLoad(folder) is { } photos)
-        {
-            return new PictureSet(folder, BenchClasses.BlackAndWhitePanels, photos.Frames)
-            {
-                WithoutScale = photos.WithoutScale,
-            };
-        }
-
+            return new PictureSet(folder, BenchClasses.BlackAndWhitePanels, photos.Frames, photos.WithoutScale);
         if (!File.Exists(path))
             throw new FormatException($"{folder}: {FaultOf(folder)}. {WhatIsExpected}");
         try

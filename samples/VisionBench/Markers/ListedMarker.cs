@@ -56,7 +56,8 @@ internal sealed class ListedMarker
     {
         ImmutableArray<PicturePoint> corners = PointsOf(tag.GetProperty("corners_lb_rb_rt_lt"), -0.5);
         return new ListedMarker(
-            tag, [corners[1], corners[0], corners[3], corners[2]], tag.GetProperty("agreed").GetBoolean());
+            tag, ImmutableArray.Create(corners[1], corners[0], corners[3], corners[2]),
+            tag.GetProperty("agreed").GetBoolean());
     }
 
     /// <summary>Whether it is this one, and there.</summary>
@@ -83,7 +84,7 @@ internal sealed class ListedMarker
 
     private static ImmutableArray<PicturePoint> PointsOf(JsonElement corners, double shift)
         => corners.GetArrayLength() == 4
-            ? [.. corners.EnumerateArray()
-                .Select(c => new PicturePoint(c[0].GetDouble() + shift, c[1].GetDouble() + shift))]
+            ? corners.EnumerateArray()
+                .Select(c => new PicturePoint(c[0].GetDouble() + shift, c[1].GetDouble() + shift)).ToImmutableArray()
             : throw new FormatException("a marker has other than four corners");
 }
