@@ -67,6 +67,31 @@ public sealed class DeviceThreadTests
         Assert.Equal("m/line: opening its device again", Assert.Single(result.Managers[0].NotStopped));
     }
 
+    /// <summary>While the others run on: it would keep its device until the whole run stops.</summary>
+    [Fact, Trait("Clause", "1.8"), Trait("Clause", "1.7")]
+    public void Reader_OfAManagerThatIsStoppedAlone_IsUnblockedAtOnce()
+    {
+        using var source = new BlockedSource();
+        using var run = new TestRun(TimeKind.Real);
+        run.Add("other");
+        ScriptedManager manager = run.Add("m");
+        manager.FaultPolicy = FaultPolicy.StopManager;
+        BlockingReader<int> reader = manager.AttachReader("line", source);
+        manager.OnUnit = () =>
+        {
+            if (source.Blocked.IsSet)
+                throw new InvalidOperationException("boom");
+        };
+
+        run.Start();
+        Assert.True(source.Blocked.Wait(TestTimeout.Limit));
+        manager.WakeUp();
+
+        run.Until(() => reader.State == DeviceState.Stopped, "the reader ends");
+        Assert.Equal(1, source.Unblocks);
+        run.Finish();
+    }
+
     [Fact, Trait("Clause", "1.8"), Trait("Clause", "1.6")]
     public void Reader_UnblockThrows_IsReportedAndAllAreStopped()
     {

@@ -144,6 +144,34 @@ public sealed class LastResortTests : InterruptingTests
         Assert.Equal(ManagerOutcome.Ended, result.Managers[0].Outcome);
     }
 
+    [Fact, Trait("Clause", "1.7"), Trait("Clause", "1.8")]
+    public void Writer_ClockThrowsOnItsThread_CountsAndReportsWhatIsLost()
+    {
+        using var isPushed = new ManualResetEventSlim();
+        using TestRun run = NewRun(WaitEngine.Best, out FailingClock clock);
+        ScriptedManager manager = run.Add("m");
+        var target = new ScriptedTarget(run.Board)
+        {
+            OnWrite = _ =>
+            {
+                isPushed.Wait();
+                clock.FailOn(Thread.CurrentThread.Name!, new InvalidOperationException("boom"));
+                throw new InvalidOperationException("the device is unplugged");
+            },
+        };
+        BlockingWriter<int> writer = manager.AttachWriter("radio", target);
+
+        run.StartAndSettle();
+        run.On(manager, () => Assert.Equal(4, Enumerable.Range(1, 4).Count(i => writer.Push(i) == PushResult.Queued)));
+        isPushed.Set();
+        run.Until(() => writer.State == DeviceState.Faulted && writer.Discarded > 0, "it has ended");
+        run.Finish();
+
+        Assert.Equal(4, writer.Discarded);
+        Assert.Contains(
+            run.Log, e => e.Source == "m/radio" && e.Text.EndsWith("were lost at the end", StringComparison.Ordinal));
+    }
+
     [Theory, Trait("Clause", "1.7"), Trait("Clause", "4.5")]
     [MemberData(nameof(Engines))]
     public void Watchdog_ClockThrowsOnItsThread_FailsTheRunInOrder(WaitEngine engine, Hostility hostility)
