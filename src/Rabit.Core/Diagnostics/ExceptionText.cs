@@ -4,8 +4,8 @@ namespace Rabit.Core.Diagnostics;
 
 /// <summary>
 /// Reads texts of exceptions, the only place of the library that does. An exception is foreign code: the members that
-/// give its texts may throw, return null, or return a text that fills the memory. What is read here is never null, is
-/// bounded, and reading it never throws.
+/// give its texts may throw, return null, or return a text that fills the memory or has several lines. What is read here
+/// is never null, is one line and bounded, and reading it never throws.
 /// </summary>
 internal static class ExceptionText
 {
@@ -51,8 +51,8 @@ internal static class ExceptionText
     private static string Shorten(string text)
     {
         if (text.Length <= MaxLength)
-            return text;
+            return OneLine.Of(text);
         int end = MaxLength - Cut.Length;
-        return text.Remove(char.IsHighSurrogate(text[end - 1]) ? end - 1 : end) + Cut;
+        return OneLine.Of(text.Remove(char.IsHighSurrogate(text[end - 1]) ? end - 1 : end)) + Cut;
     }
 }

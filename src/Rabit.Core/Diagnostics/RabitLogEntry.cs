@@ -1,5 +1,6 @@
 using System;
 using System.Globalization;
+using Rabit.Core.Diagnostics;
 
 namespace Rabit.Core;
 
@@ -11,7 +12,7 @@ public sealed class RabitLogEntry
         Time = time;
         Kind = kind;
         Source = source;
-        Text = text;
+        Text = OneLine.Of(text);   // reasons to stop, too, are the user's
         Exception = exception;
     }
 

@@ -95,7 +95,7 @@ internal sealed class StandardErrorLog(string run, TimeProvider clock, Func<Text
     {
         try
         {
-            standardError().WriteLine(run + ": " + line.Replace('\r', ' ').Replace('\n', ' '));
+            standardError().WriteLine(run + ": " + OneLine.Of(line));
         }
         catch (Exception)
         {

@@ -196,8 +196,9 @@ public sealed class MessageSubscriber<T>
 
     /// <summary>
     /// Calls a handler at every post of others, on the poster's thread, after every lock is released. The handler may
-    /// not touch the endpoints of a manager, this one included, since none of them runs it; it should be short. One
-    /// that throws is reported.
+    /// not touch the endpoints of a manager, this one included: where a manager posts, its thread runs the handler, and
+    /// what is the handler's mistake would pass for the manager's own use. It should be short. One that throws is
+    /// reported.
     /// </summary>
     /// <param name="handler">Given the stamp of the post.</param>
     /// <returns>

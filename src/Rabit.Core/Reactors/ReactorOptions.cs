@@ -16,8 +16,8 @@ public sealed class ReactorOptions
     /// </summary>
     /// <value>
     /// Null, the default: faults and hangs go to standard error, a line each, ten at once and then one a second at
-    /// most. A log that does nothing, <c>_ =&gt; { }</c>, switches that off. All of them are in the result, whatever
-    /// the log.
+    /// most. A log that does nothing, <c>_ =&gt; { }</c>, switches that off. Whatever the log, the result has how many
+    /// there were of each manager, and the first ten of each; faults of readers and writers are with these alone.
     /// </value>
     public Action<RabitLogEntry>? Log { get; set; }
 
@@ -68,7 +68,8 @@ public sealed class ReactorOptions
 
     /// <summary>
     /// Whether Ctrl-C, SIGTERM and SIGHUP (the terminal was closed) stop the run in order instead of ending the
-    /// process. A SIGHUP that the process was started to ignore, as by <c>nohup</c>, stays ignored. Ctrl-\ (SIGQUIT)
+    /// process, while <see cref="RabitReactor.Run"/> or <see cref="RabitReactor.RunAsync"/> runs it: a program that
+    /// calls <see cref="RabitReactor.Start"/> acts on signals itself. A SIGHUP that the process was started to ignore, as by <c>nohup</c>, stays ignored. Ctrl-\ (SIGQUIT)
     /// and Ctrl-Break keep their own meaning.
     /// </summary>
     /// <value>The default is true.</value>
@@ -91,6 +92,8 @@ public sealed class ReactorOptions
             faults.Add($"{nameof(Time)} is null.");
         if (string.IsNullOrWhiteSpace(Name))
             faults.Add($"{nameof(Name)} is empty.");
+        else if (Name.IndexOfAny(['\r', '\n']) >= 0)
+            faults.Add($"{nameof(Name)} has a line break.");
         if (HangPolicy is null)
             faults.Add($"{nameof(HangPolicy)} is null.");
         if (TotalStopTimeout <= TimeSpan.Zero || TotalStopTimeout > TimeSpan.FromHours(1))

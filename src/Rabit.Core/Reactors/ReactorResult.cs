@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Core.Diagnostics;
 using Rabit.Core.Reactors;
 
 namespace Rabit.Core;
@@ -65,7 +66,7 @@ public sealed class ReactorResult
 
     /// <summary>A line for the run, one for each manager, and one for each queue that was not empty.</summary>
     public override string ToString()
-        => $"stopped: {StopReason}"
+        => $"stopped: {OneLine.Of(StopReason)}"
         + (StillDelaying.Count == 0 ? "" : "; did not wait for " + string.Join(", ", StillDelaying.ToArray()))
         + string.Concat(Managers.Select(m => "\n  " + m))
         + string.Concat(Queues.Where(q => q.Counters.Resident > 0).Select(q => "\n  " + q));

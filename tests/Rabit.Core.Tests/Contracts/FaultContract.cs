@@ -36,6 +36,27 @@ public abstract class FaultContract(TimeKind kind) : ContractTests(kind)
         Assert.Contains("boom", ended.ToString(), StringComparison.Ordinal);
     }
 
+    /// <summary>Logs and results are read line by line.</summary>
+    [Fact, Trait("Clause", "1.7")]
+    public void Fault_TextsOfSeveralLines_AreOneInLogAndResult()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager manager = run.Add("m");
+        manager.OnUnit = () =>
+        {
+            manager.StopAll("to\nstop");
+            throw new InvalidOperationException("two\r\nlines");
+        };
+
+        run.Start();
+        ReactorResult result = run.FinishByItself();
+
+        Assert.Contains(run.Log, e => e.Text.Contains("two lines", StringComparison.Ordinal));
+        Assert.All(run.Log, e => Assert.DoesNotContain("\n", e.ToString(), StringComparison.Ordinal));
+        Assert.DoesNotContain("\n", result.Managers[0].ToString(), StringComparison.Ordinal);
+        Assert.Equal(2, result.ToString().Split('\n').Length);
+    }
+
     [Theory, Trait("Clause", "1.7"), Trait("Clause", "1.6")]
     [InlineData(ManagerStage.Startup)]
     [InlineData(ManagerStage.UnitOfWork)]

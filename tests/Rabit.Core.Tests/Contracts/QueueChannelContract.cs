@@ -191,6 +191,8 @@ public abstract class QueueChannelContract(TimeKind kind) : ContractTests(kind)
 
         Assert.True(writer.TryWrite(2));
         Assert.True(await reader.WaitToReadAsync());
+        Assert.True(reader.CanCount);
+        Assert.Equal(1, reader.Count);
         Assert.Equal(1, idle.Units);
     }
 

@@ -309,10 +309,11 @@ public abstract class ReactorContract(TimeKind kind) : ContractTests(kind)
     [Fact, Trait("Clause", "4.3")]
     public void Options_OutOfRange_AreAllNamedTogether()
     {
-        var options = new ReactorOptions { Time = null!, StopTimeout = TimeSpan.Zero };
+        var options = new ReactorOptions { Time = null!, StopTimeout = TimeSpan.Zero, Name = "two\nlines" };
 
         string text = Assert.Throws<ArgumentException>(() => new RabitReactor(options)).Message;
 
+        Assert.Contains("Name has a line break", text, StringComparison.Ordinal);
         Assert.Contains(nameof(ReactorOptions.Time), text, StringComparison.Ordinal);
         Assert.Contains(nameof(ReactorOptions.StopTimeout), text, StringComparison.Ordinal);
     }

@@ -12,6 +12,15 @@ public sealed class ExceptionTextTests
         => Assert.Equal(
             "InvalidOperationException: boom", ExceptionText.Describe(new InvalidOperationException("boom")));
 
+    /// <summary>As the messages of .NET are that name the value of an argument.</summary>
+    [Theory, Trait("Clause", "1.7")]
+    [InlineData("two\r\nlines", "two lines")]
+    [InlineData("two\nlines", "two lines")]
+    [InlineData("two\rlines", "two lines")]
+    [InlineData("\none", " one")]
+    public void MessageOf_SeveralLines_IsOne(string message, string expected)
+        => Assert.Equal(expected, ExceptionText.MessageOf(new InvalidOperationException(message)));
+
     [Theory, Trait("Clause", "1.7")]
     [InlineData(Hostility.Throws, "HostileException: (its message cannot be read: HostileException)")]
     [InlineData(Hostility.ReturnsNull, "HostileException: (its message is null)")]
