@@ -4,7 +4,7 @@ using Rabit.Core.Reactors;
 
 namespace Rabit.Core;
 
-/// <content>The requests to stop, and the wait for them.</content>
+/// <content>What may be called when; the requests to stop, and the wait for them.</content>
 public sealed partial class RabitReactor
 {
     /// <summary>
@@ -37,6 +37,36 @@ public sealed partial class RabitReactor
         RequestStop("disposed", StopUrgency.AtOnce);
         if (mustEnd)
             End();
+    }
+
+    // In one step: a Run that is refused must not seem to finish what another call started.
+    private void Claim(bool asAWhole)
+    {
+        lock (_gate)
+        {
+            if (_isDisposed)
+                throw new ObjectDisposedException(nameof(RabitReactor));
+            if (_hasStarted)
+                throw new InvalidOperationException(
+                    "The reactor was started before; make a new one with new managers.");
+            _hasStarted = true;
+            _isRunAsAWhole = asAWhole;
+        }
+    }
+
+    private void RequireRunning(bool finishing)
+    {
+        if (RunningOwn() is { } manager)
+            throw new InvalidOperationException(
+                $"Manager '{manager.Name}' cannot run or finish its own reactor: it would wait for itself. To stop the "
+                    + "system a manager calls StopSystem, or Stop of its reactor, and returns.");
+        lock (_gate)
+        {
+            if (!_isWired || _isFinished)
+                throw new InvalidOperationException(
+                    _isFinished ? "The run has finished." : "The reactor has not started.");
+            _isFinished = finishing;
+        }
     }
 
     // A terminal that closes sends SIGHUP more than once; a person or a service manager that asks twice means it.

@@ -41,7 +41,7 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
     // Guards the seven fields below: a stop comes from any thread.
     private readonly object _gate = new();
     private bool _isDisposed;
-    private bool _isRunAsAWhole;   // by Run, which finishes what it starts
+    private bool _isRunAsAWhole;   // by a Run that was not refused, which finishes what it starts
     private bool _hasStarted;
     private bool _isWired;
     private bool _isFinished;
@@ -125,13 +125,8 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
     /// <exception cref="InvalidOperationException">The reactor was started before.</exception>
     public ReactorResult Run()
     {
-        using StopSignals? signals = _options.StopsOnSignals
-            ? new StopSignals(StopOnSignal, note => _log.Write(RabitLogKind.Note, Source, note))
-            : null;
-        lock (_gate)
-            _isRunAsAWhole = true;
-        Start();
-        return Finish();
+        Claim(asAWhole: true);
+        return RunClaimed();
     }
 
     /// <summary>As <see cref="Run"/>, on a thread of its own.</summary>
@@ -175,30 +170,8 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
     /// </exception>
     public void Start()
     {
-        lock (_gate)
-        {
-            if (_isDisposed)
-                throw new ObjectDisposedException(nameof(RabitReactor));
-            if (_hasStarted)
-                throw new InvalidOperationException(
-                    "The reactor was started before; make a new one with new managers.");
-            _hasStarted = true;
-        }
-
-        Prepare();
-        lock (_gate)
-            _isWired = true;
-        Supervision.Begin(_engine);
-        _log.Write(RabitLogKind.Lifecycle, Source, "starts " + string.Join(", ", _managers.Select(m => m.Name)));
-        foreach (ManagerActivity activity in _activities)
-        {
-            if (_stop.IsStopping)
-                return;
-            _engine.Begin(activity);
-        }
-
-        if (_stop.TryOpen(_activities))
-            OpenBarrier();
+        Claim(asAWhole: false);
+        StartClaimed();
     }
 
     /// <summary>Lets the managers work for a while and returns, or returns early when the run is stopped.</summary>
@@ -242,6 +215,33 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
     public IEnumerator<RabitManager> GetEnumerator() => _managers.GetEnumerator();
 
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+
+    private ReactorResult RunClaimed()
+    {
+        using StopSignals? signals = _options.StopsOnSignals
+            ? new StopSignals(StopOnSignal, note => _log.Write(RabitLogKind.Note, Source, note))
+            : null;
+        StartClaimed();
+        return Finish();
+    }
+
+    private void StartClaimed()
+    {
+        Prepare();
+        lock (_gate)
+            _isWired = true;
+        Supervision.Begin(_engine);
+        _log.Write(RabitLogKind.Lifecycle, Source, "starts " + string.Join(", ", _managers.Select(m => m.Name)));
+        foreach (ManagerActivity activity in _activities)
+        {
+            if (_stop.IsStopping)
+                return;
+            _engine.Begin(activity);
+        }
+
+        if (_stop.TryOpen(_activities))
+            OpenBarrier();
+    }
 
     private ReactorResult End()
     {
@@ -331,20 +331,5 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
         string text = ExceptionText.MessageOf(failure);
         _log.Write(RabitLogKind.Fault, Source, text, failure);
         RequestStop(text, StopUrgency.AtOnce, failure);
-    }
-
-    private void RequireRunning(bool finishing)
-    {
-        if (RunningOwn() is { } manager)
-            throw new InvalidOperationException(
-                $"Manager '{manager.Name}' cannot run or finish its own reactor: it would wait for itself. To stop the "
-                    + "system a manager calls StopSystem, or Stop of its reactor, and returns.");
-        lock (_gate)
-        {
-            if (!_isWired || _isFinished)
-                throw new InvalidOperationException(
-                    _isFinished ? "The run has finished." : "The reactor has not started.");
-            _isFinished = finishing;
-        }
     }
 }
