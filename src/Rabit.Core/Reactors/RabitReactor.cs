@@ -135,7 +135,17 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
     public Task<ReactorResult> RunAsync(CancellationToken stop = default)
     {
         // Not an async method: a program that waits for the run in its main thread needs no pool of threads for it.
+        try
+        {
+            Claim(asAWhole: true);
+        }
+        catch (InvalidOperationException refusal)
+        {
+            return Task.FromException<ReactorResult>(refusal);
+        }
+
         var ended = new TaskCompletionSource<ReactorResult>(TaskCreationOptions.RunContinuationsAsynchronously);
+        // Only now: the token of a call that is refused must not stop the run that is under way.
         CancellationTokenRegistration cancellation = stop.Register(() => Stop("cancelled"));
         var thread = new Thread(() =>
         {
@@ -143,7 +153,7 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
             try
             {
                 using (cancellation)
-                    result = Run();
+                    result = RunClaimed();
             }
             catch (Exception e)
             {

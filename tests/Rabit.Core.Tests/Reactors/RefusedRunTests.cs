@@ -1,4 +1,5 @@
 using System;
+using System.Threading;
 using System.Threading.Tasks;
 using Rabit.Core.Tests.Contracts;
 using Xunit;
@@ -40,6 +41,44 @@ public sealed class RefusedRunTests
             }
 
             Assert.Equal(1, manager.Shutdowns);
+        }
+    }
+
+    [Fact]
+    public async Task RunAsync_DisposedAtOnce_EndsWithAResult()
+    {
+        using RabitReactor reactor = NewReactor(new RealTime(), new ScriptedManager("m", _board));
+        Task<ReactorResult> run = reactor.RunAsync();
+        reactor.Dispose();
+
+        Assert.Equal("disposed", (await run).StopReason);
+    }
+
+    [Fact]
+    public async Task RunAsync_AgainWithACancelledToken_LeavesTheRunAlone()
+    {
+        var manager = new ScriptedManager("m", _board);
+        using RabitReactor reactor = NewReactor(new RealTime(), manager);
+        Task<ReactorResult> run = reactor.RunAsync();
+        await Assert.ThrowsAsync<InvalidOperationException>(() => reactor.RunAsync(new CancellationToken(true)));
+        using var later = new CancellationTokenSource();
+        await Assert.ThrowsAsync<InvalidOperationException>(() => reactor.RunAsync(later.Token));
+        later.Cancel();
+        reactor.Stop("done");
+
+        Assert.Equal("done", (await run).StopReason);
+    }
+
+    [Fact]
+    public async Task RunAsync_CancelledBefore_StartsNothing()
+    {
+        foreach (TimeKind kind in new[] { TimeKind.Real, TimeKind.Virtual })
+        {
+            var manager = new ScriptedManager("m", _board);
+            using RabitReactor reactor = NewReactor(kind.Create(), manager);
+
+            Assert.Equal("cancelled", (await reactor.RunAsync(new CancellationToken(true))).StopReason);
+            Assert.Equal(0, manager.Startups);
         }
     }
 
