@@ -62,10 +62,27 @@ public sealed partial class RabitReactor
                     + "system a manager calls StopSystem, or Stop of its reactor, and returns.");
         lock (_gate)
         {
-            if (!_isWired || _isFinished)
-                throw new InvalidOperationException(
-                    _isFinished ? "The run has finished." : "The reactor has not started.");
+            string? refusal = !_isWired ? "The reactor has not started."
+                : _hasEnded ? "The run has finished."
+                : _isRunAsAWhole ? "Run or RunAsync runs this reactor, and finishes the run itself."
+                : _isFinished ? "The run is being ended already."
+                : null;
+            if (refusal is not null)
+                throw new InvalidOperationException(refusal);
             _isFinished = finishing;
+        }
+    }
+
+    private ReactorResult End()
+    {
+        try
+        {
+            return EndAll();
+        }
+        finally
+        {
+            lock (_gate)
+                _hasEnded = true;
         }
     }
 

@@ -38,13 +38,14 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
     private readonly List<ManagerActivity> _activities = [];   // filled by Start, then read only
     private ReactorSupervision? _supervision;                  // written by Start before _isWired, then read only
 
-    // Guards the seven fields below: a stop comes from any thread.
+    // Guards the eight fields below: a stop comes from any thread.
     private readonly object _gate = new();
     private bool _isDisposed;
     private bool _isRunAsAWhole;   // by a Run that was not refused, which finishes what it starts
     private bool _hasStarted;
     private bool _isWired;
-    private bool _isFinished;
+    private bool _isFinished;      // by Finish or Dispose, which is done with it at _hasEnded
+    private bool _hasEnded;
     private string? _stopReason;
     private Exception? _failure;
 
@@ -206,7 +207,8 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
     /// each ended.
     /// </summary>
     /// <exception cref="InvalidOperationException">
-    /// The reactor has not started, or has finished, or one of its managers calls this in its own code.
+    /// The reactor has not started, or has finished; <see cref="Run"/>, <see cref="RunAsync"/> or another thread
+    /// finishes it; or one of its managers calls this in its own code.
     /// </exception>
     public ReactorResult Finish()
     {
@@ -232,7 +234,7 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
             ? new StopSignals(StopOnSignal, note => _log.Write(RabitLogKind.Note, Source, note))
             : null;
         StartClaimed();
-        return Finish();
+        return End();
     }
 
     private void StartClaimed()
@@ -253,7 +255,7 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
             OpenBarrier();
     }
 
-    private ReactorResult End()
+    private ReactorResult EndAll()
     {
         RunUntil(TimeSpan.MaxValue);
         TimeSpan duration = _clock.Now;

@@ -82,6 +82,59 @@ public sealed class RefusedRunTests
         }
     }
 
+    [Fact]
+    public async Task FinishAndRunFor_BesideRunAsync_SayWhoFinishesTheRun()
+    {
+        var manager = new ScriptedManager("m", _board);
+        using RabitReactor reactor = NewReactor(new RealTime(), manager);
+        Task<ReactorResult> run = reactor.RunAsync();
+        while (manager.Units == 0)
+            await Task.Yield();
+
+        foreach (string text in Refusals(reactor))
+            Assert.Equal("Run or RunAsync runs this reactor, and finishes the run itself.", text);
+        reactor.Stop("done");
+        Assert.Equal("done", (await run).StopReason);
+        foreach (string text in Refusals(reactor))
+            Assert.Equal("The run has finished.", text);
+    }
+
+    [Fact]
+    public async Task FinishAndRunFor_WhileAnotherThreadEndsTheRun_SayThatItEnds()
+    {
+        using var isEnding = new ManualResetEventSlim();
+        using var mayEnd = new ManualResetEventSlim();
+        var manager = new ScriptedManager("m", _board)
+        {
+            OnShutdown = () =>
+            {
+                isEnding.Set();
+                mayEnd.Wait();
+            },
+        };
+        using RabitReactor reactor = NewReactor(new RealTime(), manager);
+        reactor.Start();
+        while (manager.Units == 0)
+            await Task.Yield();
+        reactor.Stop("done");
+        Task<ReactorResult> finish = Task.Run(reactor.Finish);
+        isEnding.Wait();
+        string[] texts = Refusals(reactor);
+        mayEnd.Set();
+        await finish;
+
+        foreach (string text in texts)
+            Assert.Equal("The run is being ended already.", text);
+        foreach (string text in Refusals(reactor))
+            Assert.Equal("The run has finished.", text);
+    }
+
+    private static string[] Refusals(RabitReactor reactor) =>
+    [
+        Assert.Throws<InvalidOperationException>(reactor.Finish).Message,
+        Assert.Throws<InvalidOperationException>(() => reactor.RunFor(TimeSpan.Zero)).Message,
+    ];
+
     private static RabitReactor NewReactor(RabitTime time, RabitManager manager)
         => new(new ReactorOptions { Time = time, StopsOnSignals = false }) { manager };
 }
