@@ -79,12 +79,13 @@ internal sealed class ReactorSupervision : IDisposable
 
     public void Dispose() => _meter.Dispose();
 
-    // One that was stopped, or waits for its restart, sleeps too: that would say too little.
+    // One that has not begun, was stopped, or waits for its restart, sleeps too: that would say too little.
     private static (string Name, string State, ManagerStatus Status) Describe(
         ManagerActivity manager, ManagerStatus status)
     {
         string doing = manager.Doing;
-        bool isDown = status.State is ManagerState.Stopped or ManagerState.Faulted or ManagerState.Restarting;
+        bool isDown = status.State is ManagerState.Created
+            or ManagerState.Stopped or ManagerState.Faulted or ManagerState.Restarting;
         return (manager.Name,
             isDown && doing == HangWatch.Sleeping ? status.State.ToString().ToLowerInvariant() : doing, status);
     }

@@ -233,6 +233,34 @@ public abstract class StatusContract(TimeKind kind) : ContractTests(kind)
         Assert.DoesNotContain("sleeping", run.Reactor.StatusTable(), StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void StatusTable_OfAManagerThatHasNotBegun_SaysThatItWasCreated()
+    {
+        using TestRun run = NewRun();
+        string early = string.Empty;
+        run.Add("first").OnStartup = () =>
+        {
+            early = run.Reactor.StatusTable();
+            run.Reactor.Stop("early");
+        };
+        run.Add("second");
+        run.Start();
+        run.FinishByItself();
+
+        if (!Kind.HasThreads)   // with threads the second one may have begun meanwhile
+            Assert.Contains("created", early.Split('\n')[2], StringComparison.Ordinal);
+
+        using TestRun none = NewRun();
+        none.Add("m");
+        none.Reactor.Stop("never mind");
+        none.Start();
+        none.FinishByItself();
+        string late = none.Reactor.StatusTable();
+
+        Assert.Contains("created", late, StringComparison.Ordinal);
+        Assert.DoesNotContain("sleeping", late, StringComparison.Ordinal);
+    }
+
     [Fact, Trait("Clause", "4.4"), Trait("Clause", "4.2")]
     public void Subscription_ToNoSuchManager_IsAWiringFault()
     {
