@@ -6,6 +6,8 @@ namespace Rabit.Core.Time;
 /// <summary>A clock that stands still until the virtual-time engine moves it. Read from any thread.</summary>
 internal sealed class VirtualClock(DateTimeOffset startUtc) : TimeProvider
 {
+    private readonly DateTimeOffset _startUtc = startUtc.ToUniversalTime();   // a TimeProvider gives the offset zero
+
     private long _ticks;   // written by the engine's thread, read by all; 64 bits, so only through Interlocked
 
     private long _steppedTicks;   // written by any thread, read by all; the same
@@ -33,5 +35,5 @@ internal sealed class VirtualClock(DateTimeOffset startUtc) : TimeProvider
 
     public void MoveTo(TimeSpan now) => Interlocked.Exchange(ref _ticks, now.Ticks);
 
-    private DateTimeOffset UtcAt(long steppedTicks) => startUtc.AddTicks(GetTimestamp()).AddTicks(steppedTicks);
+    private DateTimeOffset UtcAt(long steppedTicks) => _startUtc.AddTicks(GetTimestamp()).AddTicks(steppedTicks);
 }

@@ -34,6 +34,15 @@ public sealed class VirtualTimeTests
     }
 
     [Fact]
+    public void Clock_WithAStartOfAnotherOffset_IsInUtc()
+    {
+        var start = new DateTimeOffset(2024, 5, 6, 7, 8, 9, TimeSpan.FromHours(2));
+        DateTimeOffset now = new VirtualTime(seed: 3, start).Clock.GetUtcNow();
+
+        Assert.Equal((TimeSpan.Zero, start), (now.Offset, now));
+    }
+
+    [Fact]
     public void StepWallClock_InARun_MovesTheWallClockAlone()
     {
         var time = new VirtualTime();
