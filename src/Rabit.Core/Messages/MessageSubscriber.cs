@@ -4,6 +4,7 @@ using System.Runtime.CompilerServices;
 using System.Threading;
 using System.Threading.Tasks;
 using Rabit.Core.Messages;
+using Rabit.Core.Time;
 
 namespace Rabit.Core;
 
@@ -66,8 +67,8 @@ public sealed class MessageSubscriber<T>
     }
 
     /// <summary>
-    /// How long ago the fetched value was true; <see cref="TimeSpan.MaxValue"/> before anything was fetched. Negative
-    /// where its poster gave a time that has not come yet.
+    /// How long ago the fetched value was true; <see cref="TimeSpan.MaxValue"/> before anything was fetched, or where
+    /// that is longer than a time can be. Negative where its poster gave a time that has not come yet.
     /// </summary>
     /// <exception cref="InvalidOperationException">See <see cref="Value"/>.</exception>
     public TimeSpan Age
@@ -75,7 +76,7 @@ public sealed class MessageSubscriber<T>
         get
         {
             LocalCopy<T> copy = _binding.Copy();
-            return copy.SeenVersion == 0 ? TimeSpan.MaxValue : _binding.Shared!.Clock.Now - copy.Time;
+            return copy.SeenVersion == 0 ? TimeSpan.MaxValue : Times.Since(_binding.Shared!.Clock.Now, copy.Time);
         }
     }
 

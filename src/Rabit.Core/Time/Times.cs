@@ -13,5 +13,11 @@ internal static class Times
     public static TimeSpan Later(TimeSpan time, TimeSpan delay)
         => time > TimeSpan.MaxValue - delay ? TimeSpan.MaxValue : time + delay;
 
+    /// <summary>How long ago a time was; one that is too long ago for that has the greatest age there is.</summary>
+    /// <param name="now">Not negative, as all times of a run.</param>
+    /// <param name="time">Any, also one that has not come yet.</param>
+    public static TimeSpan Since(TimeSpan now, TimeSpan time)
+        => time < TimeSpan.Zero && now > TimeSpan.MaxValue + time ? TimeSpan.MaxValue : now - time;
+
     public static TimeSpan Earlier(TimeSpan a, TimeSpan b) => a < b ? a : b;
 }

@@ -6,6 +6,26 @@ namespace Rabit.Core.Tests.Contracts;
 /// <summary>Contract 2.7 and 2.8: who publishes, and who may use an end.</summary>
 public abstract class MessageEndpointContract(TimeKind kind) : ContractTests(kind)
 {
+    [Fact]
+    public void Age_OfTheExtremesOfTime_ThrowsNothing()
+    {
+        using MessagePair pair = Connect();
+        pair.Run.On(pair.Poster, () => pair.Publisher.PostStamped(TimeSpan.MinValue));
+        pair.Run.On(pair.Fetcher, () =>
+        {
+            Assert.True(pair.Subscriber.Fetch());
+            Assert.Equal(TimeSpan.MaxValue, pair.Subscriber.Age);
+            Assert.False(pair.Subscriber.IsFresh(TimeSpan.FromDays(1000)));
+        });
+        pair.Run.On(pair.Poster, () => pair.Publisher.PostStamped(TimeSpan.MaxValue));
+        pair.Run.On(pair.Fetcher, () =>
+        {
+            Assert.True(pair.Subscriber.Fetch());
+            Assert.True(pair.Subscriber.Age < TimeSpan.FromDays(-10_000));
+            Assert.False(pair.Subscriber.IsFresh(TimeSpan.MaxValue));
+        });
+    }
+
     [Fact, Trait("Clause", "2.7")]
     public void Publishers_TwoUndeclared_AreAnErrorAtStartByName()
     {
