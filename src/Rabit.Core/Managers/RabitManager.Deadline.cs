@@ -1,4 +1,5 @@
 using System;
+using Rabit.Core.Diagnostics;
 using Rabit.Core.Time;
 
 namespace Rabit.Core;
@@ -30,7 +31,8 @@ public abstract partial class RabitManager
 
     /// <summary>
     /// Called at the end of a unit of work that was late, as a part of it: an exception is a fault of the unit of work,
-    /// and endpoints may be used, to post a degraded mode for example.
+    /// and endpoints may be used, to post a degraded mode for example. Called too where the unit of work threw: that
+    /// remains its fault, and what this throws then is logged.
     /// </summary>
     /// <param name="responseTime">From when it was due to its end, by the clock of the run.</param>
     protected virtual void OnLateUnitOfWork(TimeSpan responseTime)
@@ -44,6 +46,24 @@ public abstract partial class RabitManager
         if (isLate)
             _isLate = false;
         return isLate;
+    }
+
+    // A unit of work that ends by an exception has ended, too.
+    private void CheckDeadlineAfterFault(TimeSpan due, TimeSpan modelledDuration)
+    {
+        if (_unitOfWorkDeadline is not { } deadline)
+            return;
+        try
+        {
+            CheckDeadline(deadline, due, modelledDuration);
+        }
+        catch (Exception e)
+        {
+            // One unit of work has one fault: what its own code threw.
+            Run.Log.Write(
+                RabitLogKind.Fault, Name,
+                $"{nameof(OnLateUnitOfWork)}, after a fault, threw {ExceptionText.Describe(e)}", e);
+        }
     }
 
     private void CheckDeadline(TimeSpan deadline, TimeSpan due, TimeSpan modelledDuration)

@@ -234,7 +234,16 @@ public abstract partial class RabitManager
         WakeUpCauses = causes;
         try
         {
-            ExecuteUnitOfWork();
+            try
+            {
+                ExecuteUnitOfWork();
+            }
+            catch (Exception)
+            {
+                CheckDeadlineAfterFault(due, modelledDuration);
+                throw;
+            }
+
             if (_unitOfWorkDeadline is { } deadline)
                 CheckDeadline(deadline, due, modelledDuration);
         }

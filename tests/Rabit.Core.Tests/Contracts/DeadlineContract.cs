@@ -74,6 +74,42 @@ public abstract class DeadlineContract(TimeKind kind) : ContractTests(kind)
         Assert.Equal(1, result.Managers[0].Status.LateUnitsOfWork);
     }
 
+    [Fact, Trait("Clause", "4.4"), Trait("Clause", "1.7")]
+    public void UnitOfWork_PastItsDeadlineThatThrows_IsCountedAndCalledBack()
+    {
+        using TestRun run = NewLongRun(out ScriptedManager manager);
+        var late = new List<TimeSpan>();
+        manager.FaultPolicy = FaultPolicy.CarryOn;
+        manager.UnitOfWorkDeadline = TimeSpan.FromMilliseconds(1);
+        manager.OnLate = late.Add;
+        manager.ThrowIn(ManagerStage.UnitOfWork, manager.OnUnit);
+
+        run.StartAndSettle();
+        ReactorResult result = run.Finish();
+
+        Assert.Equal(manager.Units, late.Count);
+        Assert.All(late, time => Assert.True(time >= Duration));
+        Assert.Equal(late.Count, result.Managers[0].Status.LateUnitsOfWork);
+        Assert.Equal(late.Count, result.Managers[0].Status.Faults);
+    }
+
+    [Fact, Trait("Clause", "4.4"), Trait("Clause", "1.7")]
+    public void LateCallback_ThatThrowsAfterAFault_IsLoggedAndTheFaultStays()
+    {
+        using TestRun run = NewLongRun(out ScriptedManager manager);
+        manager.UnitOfWorkDeadline = TimeSpan.FromTicks(1);
+        manager.OnLate = _ => throw new InvalidOperationException("too late");
+        manager.ThrowIn(ManagerStage.UnitOfWork, manager.OnUnit);
+
+        run.Start();
+        ReactorResult result = run.FinishByItself();
+
+        Assert.Equal("boom", Assert.Single(result.Managers[0].Faults).Exception.Message);
+        Assert.Equal(1, result.Managers[0].Status.LateUnitsOfWork);
+        Assert.Contains(
+            run.Log, e => e.Kind == RabitLogKind.Fault && e.Text.Contains("too late", StringComparison.Ordinal));
+    }
+
     [Theory, Trait("Clause", "4.4")]
     [InlineData(0)]
     [InlineData(-1)]
