@@ -104,20 +104,11 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
 
     public override void End()
     {
-        Hangs.TryEndModelled(TimeSpan.MaxValue);
+        CutModelled();
         if (_isUp)
             ShutDown(ManagerState.Stopped);
         else
             PostState(ManagerState.Stopped);
-    }
-
-    /// <summary>
-    /// Ends a unit of work whose modelled duration is over; in virtual time, where the watchdog calls it too.
-    /// </summary>
-    public void ComeBack()
-    {
-        if (Hangs.IsInModelledWork && Hangs.TryEndModelled(run.Clock.Now))
-            PostState(_state);
     }
 
     private bool StartUp()
@@ -229,19 +220,32 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
         status._wakeUps.Count(wakes.Causes, wakes.Count);
         status.SpinTime += wakes.Spun;
         status.LastRunAt = begin;
-        if (run.KeepsStatistics)
+        TimeSpan? deadline = _isOnGrid && (wakes.Causes & WakeUpCauses.Timer) != 0 ? _due : null;
+        PeriodGrid grid = _grid;
+        long missed = SetTimer(begin);
+        if (ModelledDuration > TimeSpan.Zero)
+            _modelled = new ModelledRun(
+                begin, _lastEnd, wokenAt, deadline, grid, manager.Period, missed, Hangs.IsInModelledWork);
+        if (!_modelled.IsToBeCounted)
         {
-            TimeSpan? deadline = _isOnGrid && (wakes.Causes & WakeUpCauses.Timer) != 0 ? _due : null;
-            _statistics.CountRun(ref status, begin, _lastEnd, wokenAt, deadline);
-            if (RabitEventSource.Instance.IsEnabled()
-                && RabitEventSource.Instance.IsEnabled(EventLevel.Verbose, EventKeywords.None))
-                RabitEventSource.Instance.UnitOfWork(
-                    Name, Microseconds(_lastEnd - begin), wokenAt is { } at ? Microseconds(begin - at) : -1);
+            CountTimes(ref status, begin, _lastEnd, wokenAt, deadline);
+            status.MissedDeadlines += missed;
         }
 
-        status.MissedDeadlines += SetTimer(begin);
         if (manager.TakeLate())
             status.LateUnitsOfWork++;
+    }
+
+    private void CountTimes(
+        ref ManagerStatus status, TimeSpan begin, TimeSpan end, TimeSpan? wokenAt, TimeSpan? deadline)
+    {
+        if (!run.KeepsStatistics)
+            return;
+        _statistics.CountRun(ref status, begin, end, wokenAt, deadline);
+        if (RabitEventSource.Instance.IsEnabled()
+            && RabitEventSource.Instance.IsEnabled(EventLevel.Verbose, EventKeywords.None))
+            RabitEventSource.Instance.UnitOfWork(
+                Name, Microseconds(end - begin), wokenAt is { } at ? Microseconds(begin - at) : -1);
     }
 
     /// <returns>The deadlines that have passed.</returns>
@@ -279,19 +283,4 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
     }
 
     private static int Microseconds(TimeSpan time) => (int)Math.Min(int.MaxValue, time.Ticks / 10);
-
-    // In virtual time the clock stands still during a unit of work; its modelled duration is added.
-    private void Leave(ManagerStage stage, TimeSpan begin)
-    {
-        if (stage == ManagerStage.UnitOfWork && ModelledDuration > TimeSpan.Zero)
-        {
-            _lastEnd = Times.Later(begin, ModelledDuration);
-            Hangs.LeaveLater(begin, _lastEnd);
-        }
-        else
-        {
-            _lastEnd = run.Clock.Now;
-            Hangs.Leave(_lastEnd);
-        }
-    }
 }

@@ -23,7 +23,10 @@ public struct ManagerStatus
     /// <summary>Why they were run.</summary>
     public readonly WakeUpStatistics WakeUps => _wakeUps;
 
-    /// <summary>How long they took, by the clock of the run: in virtual time their modelled duration.</summary>
+    /// <summary>
+    /// How long they took, by the clock of the run: in virtual time their modelled duration; of one that hangs when it
+    /// is back, or up to the end of the run.
+    /// </summary>
     public readonly DurationStatistics UnitOfWorkTime => _unitOfWorkTime;
 
     /// <summary>

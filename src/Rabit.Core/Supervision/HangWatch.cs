@@ -100,6 +100,17 @@ internal class HangWatch<TSync>(RabitManager manager, ManagerRun run)
         return true;
     }
 
+    /// <summary>
+    /// Leaves a unit of work whose modelled duration the end of the run cuts: it does not return.
+    /// </summary>
+    public void CutModelled(TimeSpan now)
+    {
+        if (!IsInModelledWork || TryEndModelled(now))
+            return;
+        _modelledEnd = null;
+        _mark.Leave();
+    }
+
     /// <summary>Fills in what a status holds of hangs. The manager's thread.</summary>
     public void Describe(ref ManagerStatus status)
     {

@@ -78,22 +78,75 @@ public sealed class ModelledHangTests
         Assert.Equal(1, result.Managers[0].HangCount);
     }
 
-    [Fact, Trait("Clause", "4.5")]
-    public void LongUnit_RunEndsBeforeIt_IsBackBeforeTheShutdown()
+    [Theory, Trait("Clause", "4.5")]
+    [InlineData(8)]
+    [InlineData(-1)]
+    public void LongUnit_RunEndsBeforeIt_IsCutAndDoesNotReturn(int seconds)
     {
-        using TestRun run = NewRun(TimeSpan.FromSeconds(8), out ScriptedManager hanging, HangPolicy.Report);
-        int entriesBeforeShutdown = 0;
-        hanging.OnShutdown = () => entriesBeforeShutdown = run.Log.Count;
+        TimeSpan duration = seconds < 0 ? TimeSpan.MaxValue : TimeSpan.FromSeconds(seconds);
+        using TestRun run = NewRun(duration, out ScriptedManager hanging, HangPolicy.Report);
+        string? doing = null;
+        hanging.OnShutdown = () => doing = hanging.Doing;
 
         run.Start();
         run.Reactor.RunFor(TimeSpan.FromSeconds(9));
         ReactorResult result = run.Finish();
 
-        Assert.Equal(1, result.Managers[0].HangCount);
-        int back = run.Log.ToList().FindIndex(
-            e => e.Kind == RabitLogKind.Hang && e.Text.EndsWith("at 11.000 s", StringComparison.Ordinal));
-        Assert.InRange(back, 0, entriesBeforeShutdown - 1);
-        Assert.Equal(ManagerState.Stopped, result.Managers[0].Status.State);
+        Assert.Equal((1, 1), (result.Managers[0].HangCount, hanging.Shutdowns));
+        Assert.DoesNotContain(run.Log, e => e.Text.Contains("has returned", StringComparison.Ordinal));
+        Assert.Null(doing);
+        ManagerStatus status = result.Managers[0].Status;
+        Assert.Equal((ManagerState.Stopped, TimeSpan.Zero), (status.State, status.HangingSince));
+        Assert.Equal((4, TimeSpan.FromSeconds(6)), (status.UnitOfWorkTime.Count, status.UnitOfWorkTime.Max));
+    }
+
+    [Theory, Trait("Clause", "4.5"), Trait("Clause", "4.4")]
+    [InlineData(10, true)]
+    [InlineData(-1, true)]
+    [InlineData(10, false)]
+    [InlineData(-1, false)]
+    public void LongUnit_RunEndsBeforeIt_MissedTheDeadlinesThatHavePassed(int seconds, bool isWatched)
+    {
+        TimeSpan duration = seconds < 0 ? TimeSpan.MaxValue : TimeSpan.FromSeconds(seconds);
+        HangPolicy policy = isWatched ? HangPolicy.Report : HangPolicy.Off;
+        using TestRun run = NewRun(duration, out ScriptedManager hanging, policy);
+        hanging.Period = TimeSpan.FromMilliseconds(20);
+
+        run.Start();
+        run.Reactor.RunFor(TimeSpan.FromSeconds(8));
+        ReactorResult result = run.Finish();
+
+        // 3.02 s to 8 s.
+        Assert.Equal(250, result.Managers[0].Status.MissedDeadlines);
+    }
+
+    [Fact, Trait("Clause", "4.5"), Trait("Clause", "4.4")]
+    public void LongUnit_WithAPeriod_CountsMissedDeadlinesWhenItIsBack()
+    {
+        using TestRun run = NewRun(TimeSpan.FromSeconds(8), out ScriptedManager hanging, HangPolicy.Report);
+        hanging.Period = TimeSpan.FromMilliseconds(20);
+
+        run.Start();
+        run.Reactor.RunFor(TimeSpan.FromSeconds(10));
+        Assert.Equal(0, run.StatusOf(hanging).MissedDeadlines);
+        run.Reactor.RunFor(TimeSpan.FromSeconds(2));
+        ReactorResult result = run.Finish();
+
+        // 3.02 s to 11 s.
+        Assert.Equal(400, result.Managers[0].Status.MissedDeadlines);
+        Assert.Equal(TimeSpan.FromSeconds(8), result.Managers[0].Status.UnitOfWorkTime.Max);
+    }
+
+    [Fact, Trait("Clause", "4.4")]
+    public void ModelledDuration_RunEndsWithinIt_MissedTheDeadlinesThatHavePassed()
+    {
+        using TestRun run = NewRun(TimeSpan.FromSeconds(4), out ScriptedManager manager, HangPolicy.Report);
+        manager.Period = TimeSpan.FromMilliseconds(20);
+
+        run.Start();
+        run.Reactor.RunFor(TimeSpan.FromSeconds(5));
+
+        Assert.Equal(100, run.Finish().Managers[0].Status.MissedDeadlines);
     }
 
     [Fact, Trait("Clause", "4.5"), Trait("Clause", "5.2")]
