@@ -27,6 +27,7 @@ internal sealed class HostilePlaces
         new("Startup", "Supervision/ManagerFault.cs", (_, m, fail) => m.OnStartup = fail),
         new("ExecuteUnitOfWork", "Supervision/ManagerFault.cs", (_, m, fail) => m.OnUnit = Once(fail)),
         new("Shutdown", "Supervision/ManagerFault.cs", (_, m, fail) => m.OnShutdown = fail),
+        new("OnLateUnitOfWork after a fault", "Managers/RabitManager.Deadline.cs", LateAfterFault),
         new("reader, Open", "Devices/DeviceActivity.cs", Reader("Open")),
         new("reader, Read", "Devices/DeviceActivity.cs", Reader("Read")),
         new("reader, Unblock", "Devices/DeviceActivity.cs", Reader("Unblock")),
@@ -70,6 +71,14 @@ internal sealed class HostilePlaces
             if (calls++ == 0)
                 fail();
         };
+    }
+
+    private static void LateAfterFault(TestRun run, ScriptedManager manager, Action fail)
+    {
+        Action late = Once(fail);
+        manager.UnitOfWorkDeadline = TimeSpan.FromTicks(1);
+        manager.OnLate = _ => late();
+        manager.OnUnit = Once(() => throw new InvalidOperationException("boom"));
     }
 
     private static Action<TestRun, ScriptedManager, Action> Reader(string member)
