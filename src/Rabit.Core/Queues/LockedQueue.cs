@@ -71,18 +71,10 @@ internal sealed partial class LockedQueue<T>(
 
     public override int PushFrom(ReadOnlySpan<T> values)
     {
+        if (Discarded<T>.Matters)
+            return PushAndDispose(values);
         int pushed = 0;
         var announcement = default(Announcement);
-        if (Discarded<T>.Matters)
-        {
-            // One by one, since what is dropped must be disposed outside the lock.
-            while (pushed < values.Length && PushAndDispose(values[pushed]) != PushResult.Rejected)
-                pushed++;
-            if (pushed < values.Length)
-                CountRejected(values.Length - pushed - 1);
-            return pushed;
-        }
-
         using (_gate.Enter())
         {
             while (pushed < values.Length && Admit(values[pushed], ref announcement) != PushResult.Rejected)
@@ -171,16 +163,58 @@ internal sealed partial class LockedQueue<T>(
         T dropped = default!;
         var announcement = default(Announcement);
         using (_gate.Enter())
-        {
-            if (_count == _ring.Length)
-                dropped = _ring[FullMode == QueueFullMode.DropOldest ? _head : Place(_count - 1)];
-            result = Admit(value, ref announcement);
-        }
+            result = Admit(value, ref announcement, ref dropped);
 
         Announce(announcement);
         if (result is PushResult.QueuedDroppedOldest or PushResult.QueuedDroppedNewest)
             Discarded<T>.Dispose(dropped, Name, log);
         return result;
+    }
+
+    // Leaves the lock for each value that is dropped, and announces at the end: a receiver that ran at each would do so
+    // once for each value. One that sleeps sleeps until then.
+    private int PushAndDispose(ReadOnlySpan<T> values)
+    {
+        int pushed = 0;
+        AsyncWaiters? waiters = null;
+        var announcement = default(Announcement);
+        PushResult result = PushResult.Queued;
+        while (pushed < values.Length && result != PushResult.Rejected)
+        {
+            T dropped = default!;
+            announcement.News = null;
+            using (_gate.Enter())
+            {
+                do
+                    result = Admit(values[pushed], ref announcement, ref dropped);
+                while (result == PushResult.Queued && ++pushed < values.Length);
+                if (result == PushResult.Rejected)
+                    _rejected += values.Length - pushed - 1;
+            }
+
+            // There are others only where the receiver has emptied the queue meanwhile, and waits again.
+            if (announcement.News is not null)
+                waiters?.Release(true);
+            waiters = announcement.News ?? waiters;
+            if (result is PushResult.Queued or PushResult.Rejected)
+                continue;
+            pushed++;
+            Discarded<T>.Dispose(dropped, Name, log);
+        }
+
+        announcement.News = waiters;
+        Announce(announcement);
+        return pushed;
+    }
+
+    /// <param name="value">The value.</param>
+    /// <param name="announcement">What is to be sent for it.</param>
+    /// <param name="dropped">What would be, or was, dropped for it.</param>
+    private PushResult Admit(in T value, ref Announcement announcement, ref T dropped)
+    {
+        if (_count == _ring.Length)
+            dropped = _ring[FullMode == QueueFullMode.DropOldest ? _head : Place(_count - 1)];
+        return Admit(value, ref announcement);
     }
 
     private PushResult Admit(in T value, ref Announcement announcement)
@@ -215,12 +249,6 @@ internal sealed partial class LockedQueue<T>(
                 _rejected++;
                 return PushResult.Rejected;
         }
-    }
-
-    private void CountRejected(int more)
-    {
-        using (_gate.Enter())
-            _rejected += more;
     }
 
     private void PutIn(in T value, ref Announcement announcement)
