@@ -23,7 +23,9 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
     // Who must run on the thread that uses this endpoint: null outside managers.
     private readonly EndpointOwner? _mustRun = owner.IsManager ? owner : null;
 
-    private List<PostTarget>? _handlers;   // until it is wired
+    // Code outside managers adds handlers at any time, also while another thread wires.
+    private readonly object _handlersGate = new();
+    private List<PostTarget>? _handlers;   // until it is wired, under the gate
     private LocalCopy<T>? _copy;
 
     /// <summary>The value before the first post, where this endpoint states one.</summary>
@@ -61,10 +63,14 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
     public IDisposable AddHandler(Action<MessageStamp> handler)
     {
         var target = new PostTarget(Owner, wakeUp: null, handler);
-        if (Shared is null)
-            (_handlers ??= []).Add(target);
-        else
-            target.Join(Shared);
+        lock (_handlersGate)
+        {
+            if (Shared is null)
+                (_handlers ??= []).Add(target);
+            else
+                target.Join(Shared);
+        }
+
         return target;
     }
 
@@ -120,20 +126,25 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
 
     public override void Bind(IConnector connector, EndpointDeclaration? firstOfOwner)
     {
-        Shared = (SharedMessage<T>)connector;
+        var shared = (SharedMessage<T>)connector;
 
         // All endpoints of a manager for one message share its local copy; endpoints outside managers have one each.
-        _copy = Owner.IsManager && firstOfOwner is MessageBinding<T> first ? first._copy! : Shared.CreateCopy();
+        LocalCopy<T> copy = Owner.IsManager && firstOfOwner is MessageBinding<T> first
+            ? first._copy!
+            : shared.CreateCopy();
         if (Role == EndpointRole.Publish && !PostsRarely)
-            Shared.Equip(_copy, Owner);
-        if (Role != EndpointRole.Subscribe)
-            return;
-        if (Wakes)
-            new PostTarget(Owner, Owner.WakeUp, handler: null).Join(Shared);
-        if (_handlers is null)
-            return;
-        foreach (PostTarget target in _handlers)
-            target.Join(Shared);
-        _handlers = null;
+            shared.Equip(copy, Owner);
+
+        // One section, so that a handler that another thread adds meanwhile either is among them or joins after them.
+        lock (_handlersGate)
+        {
+            Shared = shared;
+            _copy = copy;
+            if (Wakes && Role == EndpointRole.Subscribe)
+                new PostTarget(Owner, Owner.WakeUp, handler: null).Join(shared);
+            foreach (PostTarget target in _handlers ?? [])
+                target.Join(shared);
+            _handlers = null;
+        }
     }
 }
