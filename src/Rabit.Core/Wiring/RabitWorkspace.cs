@@ -171,24 +171,31 @@ public sealed partial class RabitWorkspace
     /// </returns>
     internal IReadOnlyList<QueueResult> CloseQueues()
     {
+        List<QueueResult> results;
         lock (_gate)
         {
             // In this order, or a value that is pushed in between would be neither rejected nor reported.
             foreach (IMessageQueue queue in _queues)
                 queue.Close();
-            List<QueueResult> results = _queues.ConvertAll(
+            results = _queues.ConvertAll(
                 queue => new QueueResult(queue.Name, queue.Counters, SendersOf(queue.Name).Count(s => s.IsHolding)));
-            foreach (IMessageQueue queue in _queues)
-            {
-                queue.DisposeRest();
-                foreach (IQueueDeclaration sender in SendersOf(queue.Name))
-                    sender.DisposeHeld();
-            }
+        }
 
+        // Not under the lock: Dispose is user code. Nothing was added to the queues and messages since they were wired.
+        foreach (IMessageQueue queue in _queues)
+        {
+            queue.DisposeRest();
+            foreach (IQueueDeclaration sender in SendersOf(queue.Name))
+                sender.DisposeHeld();
+        }
+
+        lock (_gate)
+        {
             foreach (IConnector message in _messages.Values)
                 message.Close();
-            return results;
         }
+
+        return results;
     }
 
     /// <summary>

@@ -1,6 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Threading;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Core.Tests.Contracts;
@@ -267,6 +269,23 @@ public abstract class BufferContract(TimeKind kind) : ContractTests(kind)
         Assert.Equal("bang 2", Assert.Single(run.Log, e => e.Kind == RabitLogKind.Fault).Exception!.Message);
     }
 
+    // What it disposes is user code, which may wait for another thread that looks into the workspace.
+    [Fact]
+    public void Finish_DisposesWhatIsLeft_UnderNoLockOfTheWorkspace()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager source = run.Add("source");
+        QueueSender<Asker> sender = source.Send<Asker>("queue");
+        run.Add("sink").Receive<Asker>("queue", 1, wakeOnPush: false);
+        var value = new Asker(run.Reactor.Workspace);
+
+        run.StartAndSettle();
+        run.On(source, () => sender.Push(value));
+        run.Finish();
+
+        Assert.True(value.WasAnswered);
+    }
+
     private static Picture Take(BufferPool pool, int number)
     {
         Assert.True(pool.TryRent("source", out BufferLease lease));
@@ -286,6 +305,19 @@ public abstract class BufferContract(TimeKind kind) : ContractTests(kind)
         public int Number { get; } = number;
 
         public void Dispose() => throw new InvalidOperationException("bang " + Number);
+    }
+
+    /// <summary>Disposed, it has another thread ask the workspace, and waits for the answer.</summary>
+    private sealed class Asker(RabitWorkspace workspace) : IDisposable
+    {
+        public bool WasAnswered { get; private set; }
+
+        public void Dispose()
+        {
+            var other = new Thread(() => workspace.DescribeWiring()) { IsBackground = true };
+            other.Start();
+            WasAnswered = other.Join(TestTimeout.Limit);
+        }
     }
 
     /// <summary>Ten pictures as fast as they are taken, then waits for ever.</summary>
