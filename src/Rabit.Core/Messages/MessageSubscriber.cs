@@ -158,7 +158,10 @@ public sealed class MessageSubscriber<T>
     /// before that merge, as wake-ups do.
     /// </summary>
     /// <param name="cancellationToken">Ends the wait; the task is cancelled then.</param>
-    /// <returns>True when there is news; false when the run is over and there is none.</returns>
+    /// <returns>
+    /// True when there is news; false when the run is over and there is none: what code outside managers posts after
+    /// the end is not.
+    /// </returns>
     /// <exception cref="InvalidOperationException">
     /// The endpoint belongs to a manager, which sleeps until a post wakes it instead, or nothing is wired yet.
     /// </exception>
@@ -172,7 +175,7 @@ public sealed class MessageSubscriber<T>
     /// <summary>
     /// The values as they are posted, for async code outside managers: the latest one each time, so that a reader that
     /// is slower than the posts skips some. It begins with the value that was posted last, if it was not fetched yet,
-    /// and ends with the run.
+    /// and ends with the run, also where code outside managers still posts: its value from after the end is not given.
     /// </summary>
     /// <param name="cancellationToken">Ends the wait for the next one with an exception.</param>
     /// <remarks>
@@ -190,7 +193,8 @@ public sealed class MessageSubscriber<T>
     {
         while (await WaitForNewsAsync(cancellationToken).ConfigureAwait(false))
         {
-            if (Fetch(out T value))
+            // The run may have ended since, and the value that it ended with may be covered by a later one.
+            if (Fetch(out T value) && !_binding.Shared!.IsAfterTheEnd(_binding.Copy().SeenVersion))
                 yield return value;
         }
     }

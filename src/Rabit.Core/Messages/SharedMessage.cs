@@ -26,6 +26,7 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion)
     private readonly object _targetsGate = new();
     private readonly CancellationTokenSource _closed = new();
     private PostTarget[] _targets = []; // replaced whole under _targetsGate, read by posters
+    private int _lastVersion;           // of the run; written before _closed is cancelled, read after that
 
     /// <summary>Written by posters, read by all; guarded as <see cref="SlotPool{TSlot, TSync}"/> says.</summary>
     protected LatestSlot Latest = new(firstVersion, index: 0);
@@ -68,7 +69,7 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion)
     /// before that of the post is there. Each does one of the two and then looks at the other; between them both need a
     /// full fence, which the waiter makes for both.
     /// </remarks>
-    /// <returns>False when the run is over and there is no news.</returns>
+    /// <returns>False when the run is over and there is no news from before its end.</returns>
     public async Task<bool> WaitForNewsAsync(LocalCopy<T> copy, EndpointOwner owner, CancellationToken cancellation)
     {
         cancellation.ThrowIfCancellationRequested();
@@ -76,15 +77,31 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion)
         using var target = new PostTarget(owner, wakeUp: null, _ => news.TrySetResult(true));
         target.Join(this);
         default(SyncPoints).FenceAllThreads();
-        if (Version != copy.SeenVersion)
+        if (HasNews(copy))
             return true;
         using (_closed.Token.Register(() => news.TrySetResult(false)))
         using (cancellation.Register(() => news.TrySetCanceled(cancellation)))
-            return await news.Task.ConfigureAwait(false) || Version != copy.SeenVersion;
+        {
+            bool wasPosted = await news.Task.ConfigureAwait(false);
+            return (wasPosted && !_closed.IsCancellationRequested) || HasNews(copy);
+        }
     }
 
-    /// <summary>The run is over: nothing waits for news any more.</summary>
-    public void Close() => _closed.Cancel();
+    /// <summary>
+    /// The run is over: nothing waits for news any more, and what code outside managers still posts is news to none
+    /// that wait. A post that races with this is from before the end or from after it.
+    /// </summary>
+    public void Close()
+    {
+        if (_closed.IsCancellationRequested)
+            return;
+        _lastVersion = Version;
+        _closed.Cancel();
+    }
+
+    /// <summary>Whether a version was posted after the end of the run.</summary>
+    public bool IsAfterTheEnd(int version)
+        => _closed.IsCancellationRequested && unchecked(version - _lastVersion) > 0;
 
     /// <summary>Copies a value that the owner of a local copy gives to that local copy.</summary>
     public virtual void Assign(LocalCopy<T> copy, in T value) => copy.Value = value;
@@ -164,6 +181,13 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion)
         {
             spares.Exit();
         }
+    }
+
+    // The version before the end: who sees a version from after the end sees the end too.
+    private bool HasNews(LocalCopy<T> copy)
+    {
+        int version = Version;
+        return version != copy.SeenVersion && !IsAfterTheEnd(version);
     }
 
     private static void Wake(WakeUpEvent sleeper, TimeSpan? now)

@@ -124,6 +124,91 @@ public sealed class NewsTests : IDisposable
         }
     }
 
+    [Fact, Trait("Clause", "2.6")]
+    public async Task ReadAll_OutsideCodePostsOnAfterTheEnd_EndsWithTheRun()
+    {
+        var got = new List<int>();
+        _reactor.Start();
+        _publisher.Post(1);
+        await foreach (int value in _subscriber.ReadAllAsync())
+        {
+            got.Add(value);
+            if (value == 1)
+                End();
+            if (value == 100)
+                break;
+            _publisher.Post(value + 1);
+        }
+
+        Assert.Equal([1], got);
+    }
+
+    [Fact, Trait("Clause", "2.6")]
+    public async Task ReadAll_AfterTheEnd_GivesWhatWasPostedBeforeAndNoMore()
+    {
+        var got = new List<int>();
+        _reactor.Start();
+        _publisher.Post(1);
+        _publisher.Post(2);
+        End();
+        await foreach (int value in _subscriber.ReadAllAsync())
+        {
+            got.Add(value);
+            _publisher.Post(value + 1);
+            if (got.Count == 100)
+                break;
+        }
+
+        Assert.Equal([2], got);
+    }
+
+    [Fact, Trait("Clause", "2.6")]
+    public async Task WaitForNews_PostedAfterTheEnd_ComesBackWithout()
+    {
+        _reactor.Start();
+        _publisher.Post(1);
+        End();
+        Assert.True(await _subscriber.WaitForNewsAsync());
+        Assert.True(await _subscriber.WaitForNewsAsync());
+
+        // What was posted before it is no longer there. A fetch is what it is at any time: the latest value.
+        _publisher.Post(2);
+        Assert.False(await _subscriber.WaitForNewsAsync());
+        Assert.True(_subscriber.Fetch(out int value));
+        Assert.Equal(2, value);
+        Assert.False(await _subscriber.WaitForNewsAsync());
+        Assert.False(await _reactor.Workspace.Subscribe<int>("height").WaitForNewsAsync());
+    }
+
+    [Fact, Trait("Clause", "2.6"), Trait("Category", "Stress")]
+    public void ReadAll_WhileOutsideCodePostsThroughTheEnd_Ends()
+    {
+        for (int round = 0; round < 20; round++)
+        {
+            using var test = new NewsTests();
+            bool hasEnded = false;
+            test._reactor.Start();
+            Task reading = Task.Run(async () =>
+            {
+                await foreach (int value in test._subscriber.ReadAllAsync())
+                    Assert.NotEqual(0, value);
+            });
+            var poster = new Thread(() =>
+            {
+                for (int i = 1; !Volatile.Read(ref hasEnded); i++)
+                    test._publisher.Post(i);
+            });
+            poster.Start();
+            Thread.SpinWait(50 * round);
+            test.End();
+
+            bool ends = reading.Wait(TestTimeout.Limit);
+            Volatile.Write(ref hasEnded, true);
+            Assert.True(poster.Join(TestTimeout.Limit));
+            Assert.True(ends);
+        }
+    }
+
     [Fact, Trait("Clause", "2.6"), Trait("Clause", "2.8")]
     public void WaitForNews_OfAManagersEndpoint_IsAnErrorThatSaysSo()
     {
@@ -135,5 +220,11 @@ public sealed class NewsTests : IDisposable
         string text = Assert.Throws<InvalidOperationException>(() => { _ = subscriber.WaitForNewsAsync(); }).Message;
         Assert.Contains("'pilot'", text, StringComparison.Ordinal);
         Assert.Throws<InvalidOperationException>(() => subscriber.ReadAllAsync());
+    }
+
+    private void End()
+    {
+        _reactor.Stop();
+        _reactor.Finish();
     }
 }
