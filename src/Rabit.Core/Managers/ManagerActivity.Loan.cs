@@ -15,6 +15,7 @@ internal sealed partial class ManagerActivity
     private bool _wasLent;                       // since the manager's thread went to sleep
     private NextStep _afterLoan;                 // what the last step on a reader's thread returned
     private ExceptionDispatchInfo? _loanFault;   // what left it
+    private bool _hasFaultLeft;                  // its unit of work threw: what follows is for the manager's thread
 
     // One with a period has a grid of deadlines, which its own timer keeps; one that spins is to be woken by that.
     private bool LendsItself => lends && manager.Period is null && manager.SpinBeforeSleep == TimeSpan.Zero;
@@ -32,7 +33,7 @@ internal sealed partial class ManagerActivity
             if (!wakes.Stop)
             {
                 _wasLent = true;
-                _afterLoan = Step(wakes, run.Clock.Now);
+                _afterLoan = Step(wakes, run.Clock.Now, isLent: true);
             }
 
             isToWake = !wakes.Stop && (!_afterLoan.Lends || _afterLoan.Due < _ownDue);
@@ -47,21 +48,35 @@ internal sealed partial class ManagerActivity
         WakeUp.EndLoan(isToWake);
     }
 
-    // On the manager's thread: whether it woke for nothing but a timer that units of work on readers have put off.
+    // The loan ends with a wake of the manager's thread, and none can begin until that has slept again.
+    private NextStep LeaveFault()
+    {
+        _hasFaultLeft = true;
+        return NextStep.Never;
+    }
+
+    // On the manager's thread: whether what it woke for is over, or done here: a timer that units of work on readers
+    // have put off, or a fault of theirs.
     private bool HasLoanLeft(ref ConsumedWakeUps wakes)
     {
         if (!_wasLent)
             return false;
         _wasLent = false;
         _loanFault?.Throw();
-        bool isOver = _afterLoan.IsNever || run.Clock.Now >= _afterLoan.Due;
-        if (!isOver && wakes.Causes == WakeUpCauses.Timer)
+        if (_hasFaultLeft)
+        {
+            // Wakes are kept for the unit of work that may follow.
+            _hasFaultLeft = false;
+            _kept.Keep(wakes);
+            _afterLoan = AfterFault();
             return true;
-        if (isOver || _afterLoan.Lends)
-            return false;
+        }
 
-        // It waits after a fault: wakes are kept until then.
-        _kept.Keep(wakes);
-        return true;
+        if (_afterLoan.IsNever || run.Clock.Now >= _afterLoan.Due)
+            return false;
+        if (wakes.Causes == WakeUpCauses.Timer)
+            return true;
+        wakes = wakes.Without(WakeUpCauses.Timer);
+        return false;
     }
 }

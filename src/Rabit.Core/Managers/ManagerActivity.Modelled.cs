@@ -36,7 +36,7 @@ internal sealed partial class ManagerActivity
         SettleModelled(now);
     }
 
-    // Its figures: those of a hang, which are counted when it is over, and the deadlines that others have counted ahead.
+    // Its figures: those of a hang, which are counted when it is over; of others the deadlines that were counted ahead.
     private void SettleModelled(TimeSpan now)
     {
         TimeSpan end = Times.Earlier(now, _modelled.End);

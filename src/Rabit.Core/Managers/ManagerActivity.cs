@@ -79,7 +79,7 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
     }
 
     // On the manager's thread, or that of a reader that has borrowed it.
-    private NextStep Step(ConsumedWakeUps wakes, TimeSpan? wokenAt)
+    private NextStep Step(ConsumedWakeUps wakes, TimeSpan? wokenAt, bool isLent = false)
     {
         ComeBack();
         if (_followUp.IsHalted)
@@ -97,7 +97,7 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
         if (run.Log.LogsRuns)
             run.Log.Write(RabitLogKind.Run, Name, $"runs, woken by {wakes.Causes}");
         if (!Execute(ManagerStage.UnitOfWork, ManagerState.Running, begin, wakes, wokenAt))
-            return AfterFault();
+            return isLent ? LeaveFault() : AfterFault();
         _followUp.OnSuccessfulRun();
         return NextStep.At(_due, notBefore: _lastEnd, manager.SpinBeforeSleep, LendsItself);
     }

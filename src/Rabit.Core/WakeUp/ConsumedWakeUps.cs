@@ -31,6 +31,8 @@ internal readonly struct ConsumedWakeUps(
 
     public ConsumedWakeUps With(WakeUpCauses more) => new(Causes | more, Count, Stop, Spun);
 
+    public ConsumedWakeUps Without(WakeUpCauses some) => new(Causes & ~some, Count, Stop, Spun, SpunUntil);
+
     public ConsumedWakeUps AfterSpin(TimeSpan spun, TimeSpan until = default)
         => new(Causes, Count, Stop, spun, until);
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
@@ -169,6 +170,69 @@ public sealed class RunsOnReadersTests : IDisposable
         _run.Finish();
 
         Assert.Equal(1, _manager.Shutdowns);
+    }
+
+    [Theory, Trait("Clause", "1.7"), Trait("Clause", "1.8")]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Fault_OnAReader_IsFollowedUpOnTheManagersThread(bool restarts)
+    {
+        var threads = new ConcurrentQueue<string?>();
+        _manager.WakeUpDelay = Timeout.InfiniteTimeSpan;
+        _manager.FaultPolicy = restarts ? FaultPolicy.Restart : FaultPolicy.StopManager;
+        _manager.OnStartup = () => threads.Enqueue(Thread.CurrentThread.Name);
+        _manager.OnShutdown = () => threads.Enqueue(Thread.CurrentThread.Name);
+        FailOnceOnReader();
+
+        _run.Until(() => threads.Count == (restarts ? 3 : 2), "it is stopped, or starts up again");
+        _run.Finish();
+
+        Assert.Equal(restarts ? 4 : 2, threads.Count);
+        Assert.All(threads, t => Assert.Equal("m", t));
+    }
+
+    [Fact, Trait("Clause", "1.7"), Trait("Clause", "1.4")]
+    public void Fault_OnAReaderWithAWakeDuringIt_KeepsTheWake()
+    {
+        bool hasFailed = false;
+        _manager.WakeUpDelay = Timeout.InfiniteTimeSpan;
+        _manager.FaultPolicy = FaultPolicy.CarryOn;
+        _manager.OnUnit = () =>
+        {
+            PopAll();
+            if (hasFailed || Thread.CurrentThread.Name != OnReader)
+                return;
+            hasFailed = true;
+            _manager.WakeUp();
+            throw new InvalidOperationException("boom");
+        };
+        _run.StartAndSettle();
+
+        FeedUntilOnReader();
+
+        _run.Until(() => _manager.Causes.Any(c => (c & WakeUpCauses.Request) != 0), "the wake causes a unit of work");
+        Assert.Single(_run.Finish().Managers[0].Faults);
+    }
+
+    [Fact, Trait("Clause", "1.4")]
+    public void UnitOfWork_OnAReaderThatEndsTheLendingAndIsWoken_IsFollowedByAnotherAtOnce()
+    {
+        bool isLast = false;
+        _manager.OnUnit = () =>
+        {
+            PopAll();
+            if (isLast || Thread.CurrentThread.Name != OnReader)
+                return;
+            isLast = true;
+            _manager.Period = TimeSpan.FromHours(1);
+            _manager.WakeUp();
+        };
+        _run.StartAndSettle();
+
+        FeedUntilOnReader();
+
+        _run.Until(() => _manager.Causes.Any(c => (c & WakeUpCauses.Request) != 0), "the wake causes a unit of work");
+        Assert.DoesNotContain(_manager.Causes, c => (c & WakeUpCauses.Timer) != 0);
     }
 
     [Fact, Trait("Clause", "1.7")]
