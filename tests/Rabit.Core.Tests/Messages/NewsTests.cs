@@ -181,7 +181,7 @@ public sealed class NewsTests : IDisposable
     }
 
     [Fact, Trait("Clause", "2.6"), Trait("Category", "Stress")]
-    public void ReadAll_WhileOutsideCodePostsThroughTheEnd_Ends()
+    public async Task ReadAll_WhileOutsideCodePostsThroughTheEnd_Ends()
     {
         for (int round = 0; round < 20; round++)
         {
@@ -202,10 +202,11 @@ public sealed class NewsTests : IDisposable
             Thread.SpinWait(50 * round);
             test.End();
 
-            bool ends = reading.Wait(TestTimeout.Limit);
+            bool ends = await Task.WhenAny(reading, Task.Delay(TestTimeout.Limit)) == reading;
             Volatile.Write(ref hasEnded, true);
             Assert.True(poster.Join(TestTimeout.Limit));
             Assert.True(ends);
+            await reading;
         }
     }
 
