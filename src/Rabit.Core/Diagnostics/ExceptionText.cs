@@ -4,8 +4,8 @@ namespace Rabit.Core.Diagnostics;
 
 /// <summary>
 /// Reads texts of exceptions, the only place of the library that does. An exception is foreign code: the members that
-/// give its texts may throw, return null, or return a text that fills the memory or has several lines. What is read here
-/// is never null, is one line and bounded, and reading it never throws.
+/// give its texts may throw, return null, or return a text that fills the memory or has several lines. What is read
+/// here is never null, is one line and bounded, and reading it never throws.
 /// </summary>
 internal static class ExceptionText
 {

@@ -2,7 +2,9 @@ using System;
 
 namespace Rabit.Core.Diagnostics;
 
-/// <summary>Makes one line of a text that a user or an exception gave: logs and results are read line by line.</summary>
+/// <summary>
+/// Makes one line of a text that a user or an exception gave: logs and results are read line by line.
+/// </summary>
 internal static class OneLine
 {
     /// <summary>The text with spaces for its breaks.</summary>

@@ -69,8 +69,8 @@ public sealed class ReactorOptions
     /// <summary>
     /// Whether Ctrl-C, SIGTERM and SIGHUP (the terminal was closed) stop the run in order instead of ending the
     /// process, while <see cref="RabitReactor.Run"/> or <see cref="RabitReactor.RunAsync"/> runs it: a program that
-    /// calls <see cref="RabitReactor.Start"/> acts on signals itself. A SIGHUP that the process was started to ignore, as by <c>nohup</c>, stays ignored. Ctrl-\ (SIGQUIT)
-    /// and Ctrl-Break keep their own meaning.
+    /// calls <see cref="RabitReactor.Start"/> acts on signals itself. A SIGHUP that the process was started to ignore,
+    /// as by <c>nohup</c>, stays ignored. Ctrl-\ (SIGQUIT) and Ctrl-Break keep their own meaning.
     /// </summary>
     /// <value>The default is true.</value>
     public bool StopsOnSignals { get; set; } = true;
