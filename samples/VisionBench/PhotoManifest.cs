@@ -19,10 +19,11 @@ internal static class PhotoManifest
     public const string FileName = "manifest.json";
     public const string PanelColour = "two-tone";
 
-    private const double PanelSideMetres = 0.4;
+    public const double PanelSideMetres = 0.4;
 
-    // Of the original pictures of four flights, from their heights and focal lengths.
-    private static readonly Dictionary<string, double> MetresPerPixelOf = new(StringComparer.Ordinal)
+    /// <summary>Of the original pictures of four flights, from their heights and focal lengths.</summary>
+    public static readonly IReadOnlyDictionary<string, double> MetresPerPixelOf = new Dictionary<string, double>(
+        StringComparer.Ordinal)
     {
         ["brighton"] = 0.018,
         ["caliterra"] = 0.016,

@@ -1,13 +1,11 @@
 using System;
-using System.Collections.Generic;
-using System.Collections.Immutable;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Rabit.Uav.ImageProcessing;
-using Rabit.Uav.Messages;
 using Rabit.Vision;
 using Rabit.Vision.Tests;
+using VisionBench;
 using Xunit;
 using Xunit.Abstractions;
 
@@ -20,28 +18,7 @@ namespace Rabit.Uav.Tests.ImageProcessing;
 [Trait("Category", "Long")]
 public sealed class PanelsOfRealPicturesTests(ITestOutputHelper output)
 {
-    private const double SideMetres = 0.4;
-
-    private static readonly Dictionary<string, double> MetresPerPixelOf = new(StringComparer.Ordinal)
-    {
-        ["brighton"] = 0.018,
-        ["caliterra"] = 0.016,
-        ["seneca"] = 0.022,
-        ["copr"] = 0.0033,
-    };
-
-    private static readonly ImmutableArray<TargetClass> Panels =
-    [
-        new TargetClass("panel")
-        {
-            Colour = new ColourRange(20, 20, 20),
-            SecondColour = new ColourRange(240, 240, 240),
-            MinSideMetres = 0.3,
-            MaxSideMetres = 0.54,
-        },
-    ];
-
-    private readonly PanelTargetDetector _detector = new(Panels);
+    private readonly PanelTargetDetector _detector = new(BenchClasses.BlackAndWhitePanels);
     private readonly TargetDetection[] _found = new TargetDetection[64];
 
     // The scale is known from the panels' own size, and may be wrong.
@@ -61,7 +38,7 @@ public sealed class PanelsOfRealPicturesTests(ITestOutputHelper output)
             (double X, double Y, double Side)[] panels = file.GetProperty("panels_original_px").EnumerateArray()
                 .Select(p => (PlaceOf(p, 0, scale), PlaceOf(p, 1, scale), SideOf(p) * scale)).ToArray();
             double side = panels.Average(p => p.Side);
-            int count = Find(Load("aerial", name), SideMetres / side * scaleError);
+            int count = Find(Load("aerial", name), PhotoManifest.PanelSideMetres / side * scaleError);
             wrong += count;
             foreach ((double x, double y, _) in panels)
             {
@@ -84,7 +61,7 @@ public sealed class PanelsOfRealPicturesTests(ITestOutputHelper output)
         string[] names = FilesOf("aerial").Select(f => f.GetProperty("file").GetString()!)
             .Where(n => n.StartsWith("small", StringComparison.Ordinal)
                 && PlaceNameOf(n, 0) is "brighton" or "caliterra" or "seneca").ToArray();
-        int wrong = names.Sum(n => Find(Load("aerial", n), 4 * MetresPerPixelOf[PlaceNameOf(n, 0)]));
+        int wrong = names.Sum(n => Find(Load("aerial", n), 4 * PhotoManifest.MetresPerPixelOf[PlaceNameOf(n, 0)]));
         output.WriteLine($"{wrong} false in {names.Length} photos");
         Assert.True(wrong <= 0.1 * names.Length, $"{wrong} false in {names.Length} photos");
     }
@@ -93,7 +70,7 @@ public sealed class PanelsOfRealPicturesTests(ITestOutputHelper output)
     public void Detect_CropsOfBareGround_FindsNone()
     {
         string[] names = FilesOf("background").Select(f => f.GetProperty("file").GetString()!).ToArray();
-        int wrong = names.Sum(n => new[] { MetresPerPixelOf[PlaceNameOf(n, 1)], 0.05, 0.1, 0.15 }
+        int wrong = names.Sum(n => new[] { PhotoManifest.MetresPerPixelOf[PlaceNameOf(n, 1)], 0.05, 0.1, 0.15 }
             .Sum(m => Find(Load("background", n), m)));
         output.WriteLine($"{wrong} false in {names.Length} crops");
         Assert.Equal(0, wrong);
@@ -120,7 +97,8 @@ public sealed class PanelsOfRealPicturesTests(ITestOutputHelper output)
     private int Find(RgbPicture picture, double metresPerPixel)
     {
         var input = new DetectorInput(
-            picture.Pixels, picture.Width, picture.Height, Panels, PictureGroundScale.Uniform(metresPerPixel));
+            picture.Pixels, picture.Width, picture.Height, BenchClasses.BlackAndWhitePanels,
+            PictureGroundScale.Uniform(metresPerPixel));
         DetectorResult result = _detector.Detect(input, _found);
         Assert.Null(result.Refusal);
         return result.Count;
