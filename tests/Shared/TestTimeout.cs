@@ -26,7 +26,9 @@ internal sealed class TestTimeout
 
     private readonly ManualResetEventSlim _never = new();
     private readonly long _maxTurns;
+    private readonly Func<double> _shares;
     private int _turns;
+    private bool _isOver;   // stays: the load may rise later, and what was waited for was given up
     private TimeSpan _turnBegan = Clock.Elapsed;
 
     public TestTimeout()
@@ -35,7 +37,18 @@ internal sealed class TestTimeout
     }
 
     /// <param name="onAnIdleMachine">How long, for what takes longer than usual.</param>
-    public TestTimeout(TimeSpan onAnIdleMachine) => _maxTurns = onAnIdleMachine.Ticks / Turn.Ticks;
+    public TestTimeout(TimeSpan onAnIdleMachine)
+        : this(onAnIdleMachine, Shares)
+    {
+    }
+
+    /// <param name="onAnIdleMachine">How long.</param>
+    /// <param name="shares">How many times as long by the load of just now, at least 1.</param>
+    internal TestTimeout(TimeSpan onAnIdleMachine, Func<double> shares)
+    {
+        _maxTurns = onAnIdleMachine.Ticks / Turn.Ticks;
+        _shares = shares;
+    }
 
     /// <summary>For a wait in one piece.</summary>
     public static TimeSpan Limit => LimitOf(OnAnIdleMachine);
@@ -70,7 +83,8 @@ internal sealed class TestTimeout
     private bool TakeTurn()
     {
         _turnBegan = Clock.Elapsed;
-        return ++_turns < _maxTurns * Shares();
+        _isOver |= ++_turns >= _maxTurns * _shares();
+        return !_isOver;
     }
 
     private static double Shares()

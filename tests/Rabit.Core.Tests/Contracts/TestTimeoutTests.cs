@@ -26,6 +26,21 @@ public sealed class TestTimeoutTests
         Assert.False(timeout.TryWait());
     }
 
+    /// <summary>A test on a machine whose load rose just then waited, was over, and waited on.</summary>
+    [Fact]
+    public void TryWait_LoadRisesAfterTheEnd_StaysOver()
+    {
+        double shares = 1;
+        var timeout = new TestTimeout(TimeSpan.FromMilliseconds(40), () => shares);
+        while (timeout.TryWait())
+        {
+        }
+
+        shares = 50;
+
+        Assert.False(timeout.TryWait());
+    }
+
     /// <summary>
     /// A manager that was restarted for ever changed what a test had awaited before the test looked, and the test
     /// waited for it for hours.
