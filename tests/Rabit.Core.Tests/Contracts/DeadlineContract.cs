@@ -145,4 +145,22 @@ public abstract class DeadlineContract(TimeKind kind) : ContractTests(kind)
 
 public sealed class DeadlineInRealTime() : DeadlineContract(TimeKind.Real);
 
-public sealed class DeadlineInVirtualTime() : DeadlineContract(TimeKind.Virtual);
+public sealed class DeadlineInVirtualTime() : DeadlineContract(TimeKind.Virtual)
+{
+    [Theory, Trait("Clause", "4.4")]
+    [InlineData(0, 0)]
+    [InlineData(-1, 1)]
+    public void UnitOfWork_EndsOnItsDeadline_IsInTimeAndATickLaterLate(long moreTicks, long late)
+    {
+        TimeSpan duration = TimeSpan.FromMilliseconds(2);
+        using TestRun run = NewRun(o => ((VirtualTime)o.Time).SetUnitOfWorkDuration("control", duration));
+        ScriptedManager manager = run.Add("control");
+        manager.UnitOfWorkDeadline = duration + TimeSpan.FromTicks(moreTicks);
+
+        run.StartAndSettle();
+        run.Finish();
+
+        Assert.Equal(1, manager.Units);
+        Assert.Equal(late, run.StatusOf(manager).LateUnitsOfWork);
+    }
+}

@@ -128,6 +128,40 @@ public abstract class QueueChannelContract(TimeKind kind) : ContractTests(kind)
         }
     }
 
+    [Theory, Trait("Clause", "3.4"), Trait("Clause", "3.5")]
+    [InlineData(QueueFullMode.Reject)]
+    [InlineData(QueueFullMode.Wait)]
+    public async Task ChannelWriter_RunEndsWhileItWaitsForRoom_ComesBackWithout(QueueFullMode mode)
+    {
+        using TestRun run = NewRun();
+        run.Add("sink").Receive<int>("queue", 1, mode, wakeOnPush: false);
+        ChannelWriter<int> writer = run.Reactor.Workspace.Send<int>("queue").AsChannelWriter();
+        run.StartAndSettle();
+        Assert.True(writer.TryWrite(1));
+        Task<bool> forRoom = writer.WaitToWriteAsync().AsTask();
+        Assert.False(forRoom.IsCompleted);
+
+        run.Finish();
+
+        Assert.False(await InTime(forRoom));
+    }
+
+    [Theory, Trait("Clause", "3.4"), Trait("Clause", "3.5")]
+    [InlineData(QueueFullMode.Reject)]
+    [InlineData(QueueFullMode.Wait)]
+    public async Task ChannelReader_NothingIsLeftAtTheEnd_CompletesWithTheRun(QueueFullMode mode)
+    {
+        using TestRun run = NewRun();
+        run.Add("idle");
+        ChannelReader<int> reader = run.Reactor.Workspace.Receive<int>("queue", 1, mode).AsChannelReader();
+        run.StartAndSettle();
+        Assert.False(reader.Completion.IsCompleted);
+
+        run.Finish();
+
+        await InTime(Answer(reader.Completion));
+    }
+
     [Fact, Trait("Clause", "3.4")]
     public async Task ChannelReader_SeveralWaitForTheSameValue_AllAreReleasedByIt()
     {

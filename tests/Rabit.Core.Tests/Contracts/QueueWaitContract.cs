@@ -72,6 +72,58 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
         Assert.Equal(PushResult.Queued, await InTime(outside.PushAsync(3).AsTask()));
     }
 
+    /// <summary>The pop makes room for the value that waits, and that is news to the receiver.</summary>
+    [Fact, Trait("Clause", "3.1"), Trait("Clause", "1.4")]
+    public async Task PushAsync_GetsItsRoomByAPop_WakesTheReceiverThatTakesOneAtATime()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager sink = run.Add("sink");
+        QueueReceiver<int> receiver = sink.Receive<int>("queue", 1, QueueFullMode.Wait);
+        var got = new List<int>();
+        sink.OnUnit = () =>
+        {
+            if (receiver.TryPop(out int value))
+                got.Add(value);
+        };
+        QueueSender<int> outside = run.Reactor.Workspace.Send<int>("queue");
+        run.StartAndSettle();
+
+        Task<PushResult>[] pushes = [.. Enumerable.Range(1, 4).Select(i => outside.PushAsync(i).AsTask())];
+        run.Until(() => outside.Counters.Popped == 4, "the sink takes out all");
+
+        foreach (Task<PushResult> push in pushes)
+            Assert.Equal(PushResult.Queued, await InTime(push));
+        run.Finish();
+        Assert.Equal([1, 2, 3, 4], got);
+    }
+
+    [Fact, Trait("Clause", "3.1")]
+    public async Task PushAsync_QueuesWhoseSendersMayWaitDifferentlyLong_EachTimesOutByItsOwn()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager sink = run.Add("sink");
+        TimeSpan[] limits = [TimeSpan.FromHours(2), Limit, TimeSpan.FromHours(3)];
+        var waiting = new Task<PushResult>[limits.Length];
+        QueueSender<int>[] outside = [.. limits.Select((limit, i) =>
+        {
+            sink.Receive<int>($"queue {i}", 1, QueueFullMode.Wait, wakeOnPush: false, maxWait: limit);
+            return run.Reactor.Workspace.Send<int>($"queue {i}");
+        })];
+        run.StartAndSettle();
+        for (int i = 0; i < limits.Length; i++)
+        {
+            await outside[i].PushAsync(1);
+            waiting[i] = outside[i].PushAsync(2).AsTask();
+        }
+
+        run.Until(() => waiting[1].IsCompleted, "its time is up");
+
+        Assert.Equal(PushResult.TimedOut, await waiting[1]);
+        Assert.False(waiting[0].IsCompleted || waiting[2].IsCompleted);
+        run.Finish();
+        Assert.Equal(PushResult.Rejected, await InTime(waiting[2]));
+    }
+
     [Fact, Trait("Clause", "3.1")]
     public async Task PushAsync_OneTimesOut_TheLaterOneStillWaits()
     {

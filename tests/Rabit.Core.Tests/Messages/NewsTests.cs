@@ -63,6 +63,17 @@ public sealed class NewsTests : IDisposable
     }
 
     [Fact, Trait("Clause", "2.6")]
+    public async Task WaitForNews_CancelledBefore_IsCancelledAlthoughThereIsNews()
+    {
+        _reactor.Start();
+        _publisher.Post(1);
+
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(
+            () => _subscriber.WaitForNewsAsync(new CancellationToken(canceled: true)));
+        Assert.True(_subscriber.Fetch());
+    }
+
+    [Fact, Trait("Clause", "2.6")]
     public async Task WaitForNews_TheRunEnds_ComesBackWithout()
     {
         _reactor.Start();

@@ -9,6 +9,7 @@ namespace Rabit.Core.Tests.Reactors;
 /// A day of simulated time: managers that post, fetch, push and pop without end, one of which fails now and then, hold
 /// no more at its end than after its first hour, and nothing is lost.
 /// </summary>
+[Collection(AloneCollection.Name)]
 public sealed class VirtualDayTests(ITestOutputHelper output)
 {
     private const int Hours = 24;
