@@ -25,8 +25,8 @@ internal sealed class PatchColour
     private const double MinBrilliance = 0.5;
 
     // Pixels: from where on that counts, and from where on fully.
-    private const double SmallSide = 7;
-    private const double LargeSide = 11;
+    private const double SmallSide = 4.5;
+    private const double LargeSide = 7;
 
     // White is twice as bright as ground by the curve of sRGB, which is five times the light; a light grey less.
     private const double FullContrast = 1.9;

@@ -35,6 +35,9 @@ internal sealed class CoverageFlight : IDisposable
     private const double CellMetres = 2;
     private const double NewGroundSeconds = 2;
 
+    // Two vehicles locate one target as differently as that, but seldom.
+    private const double SameMetres = 10;
+
     private readonly GroupFlight _flight;
     private readonly int _vehicles;
     private readonly LocalNedFrame _frame;
@@ -109,15 +112,26 @@ internal sealed class CoverageFlight : IDisposable
     public int FoundByAny
         => Scores().SelectMany(s => s.Targets.Where(t => t.IsFound)).Select(t => t.Name).Distinct().Count();
 
-    /// <summary>How many confirmed tracks are no target, of the vehicle with the most.</summary>
-    public int FalseTracks => Scores().Max(s => s.FalseTracks.Count);
+    /// <summary>
+    /// How many confirmed tracks are no target, of the vehicle with the most; without those that a second vehicle
+    /// rejected when it was asked, which is what it is asked for.
+    /// </summary>
+    public int FalseTracks => Scores().Max(s => s.FalseTracks.Count(t => !IsRejected(t)));
+
+    /// <summary>How many of what one vehicle took for a target a second one rejected.</summary>
+    public int Rejected => Validations(ValidationResult.Rejected).Count();
 
     /// <summary>What a second vehicle confirmed; of one vehicle what it revisited.</summary>
     public int Confirmed => _vehicles == 1
         ? _flight.Mission(0).Revisits
-        : Enumerable.Range(0, _vehicles)
-            .SelectMany(i => _flight.GroupStatus(i).Validations.Where(t => t.Finder == i + 1))
-            .Count(t => t.Result == ValidationResult.Confirmed && t.Validator != t.Finder);
+        : Validations(ValidationResult.Confirmed).Count();
+
+    private IEnumerable<ValidationTask> Validations(ValidationResult result) => Enumerable.Range(0, _vehicles)
+        .SelectMany(i => _flight.GroupStatus(i).Validations.Where(t => t.Finder == i + 1))
+        .Where(t => t.Result == result && t.Validator != t.Finder);
+
+    private bool IsRejected(TargetTrack track) => Validations(ValidationResult.Rejected).Any(
+        t => t.Class == track.Class && (_frame.ToNed(t.Position) - _frame.ToNed(track.Position)).Length < SameMetres);
 
     private MissionScore[] Scores()
     {

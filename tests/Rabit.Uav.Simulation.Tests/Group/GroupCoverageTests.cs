@@ -30,7 +30,8 @@ public sealed class GroupCoverageTests(ITestOutputHelper output)
                 $"seed {seed}: 98 % seen after {three.SecondsTo(Fraction):0} s and {one.SecondsTo(Fraction):0} s, ")
                 + FormattableString.Invariant($"{coverage:0.00}; landed after {three.Seconds:0} s and ")
                 + FormattableString.Invariant($"{one.Seconds:0} s, {whole:0.00}; found {three.Found}, confirmed ")
-                + FormattableString.Invariant($"{three.Confirmed}, false {three.FalseTracks}"));
+                + FormattableString.Invariant(
+                    $"{three.Confirmed}, false {three.FalseTracks}, rejected {three.Rejected}"));
             if (!(coverage <= 0.40 && whole <= 0.45)
                 || (three.Found, three.Confirmed, three.FalseTracks) != (10, 10, 0)
                 || three.Flight.Group.TooNear.Count > 0)

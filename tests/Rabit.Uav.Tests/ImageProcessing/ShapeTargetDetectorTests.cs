@@ -21,6 +21,38 @@ public sealed class ShapeTargetDetectorTests
         Assert.Equal(DefaultTargetClasses.Blue, Assert.Single(found).Class);
     }
 
+    /// <summary>
+    /// Dry grass from 95 m has thousands of spots that may be yellow, each as large as what is seen of a panel at the
+    /// least: such pictures were refused, and the mission was aborted.
+    /// </summary>
+    [Fact]
+    public void Detect_ThousandsOfSpotsThatMayBePartsOfPanels_FindsThePanelAmongThem()
+    {
+        var painting = new Painting(31);
+        (double red, double green, double blue) = Painting.Nominal(DefaultTargetClasses.Yellow);
+        for (int i = 0; i < 6000; i++)
+        {
+            int at = (((10 + (4 * (i / 150))) * Painting.Width) + 20 + (4 * (i % 150))) * 3;
+            foreach (int pixel in new[] { at, at + 3, at + (3 * Painting.Width), at + 3 + (3 * Painting.Width) })
+            {
+                painting.Pixels[pixel] = (byte)red;
+                painting.Pixels[pixel + 1] = (byte)green;
+                painting.Pixels[pixel + 2] = (byte)blue;
+            }
+        }
+
+        painting.Rectangle(Painting.Nominal(DefaultTargetClasses.Blue), 320, 400, 6, 6, 0);
+        var detections = new TargetDetection[1024];
+        DetectorResult result = new ShapeTargetDetector(TargetClass.Defaults).Detect(
+            new DetectorInput(
+                painting.Pixels, Painting.Width, Painting.Height, TargetClass.Defaults,
+                PictureGroundScale.Uniform(0.18)),
+            detections);
+
+        Assert.Null(result.Refusal);
+        Assert.Contains(detections.Take(result.Count), d => d.Class == DefaultTargetClasses.Blue);
+    }
+
     /// <summary>Red soil is not white ground in red light, in which they would be yellow.</summary>
     [Fact]
     public void Detect_OrangeAndRedOnRedSoil_AreFoundByTheirColours()

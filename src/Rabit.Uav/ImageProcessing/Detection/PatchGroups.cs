@@ -24,13 +24,14 @@ internal sealed class PatchGroups
     public void Take(in Patch patch) => (_parts[0], _count) = (patch, 1);
 
     /// <summary>Adds to the patch that was taken what is near it, or near what was added, and comes after it.</summary>
-    /// <param name="patches">All of them.</param>
+    /// <param name="patches">All of them, by their top.</param>
     /// <param name="first">The one that was taken.</param>
     /// <param name="maxSidePixels">Side of the largest thing of its colour.</param>
     /// <param name="isGrouped">Marks what was added: a group that begins there would be a part of this one.</param>
     public bool TryGrow(ReadOnlySpan<Patch> patches, int first, double maxSidePixels, bool[] isGrouped)
     {
         Patch box = _parts[0];
+        double gap = Math.Max(1.5, MaxGap * maxSidePixels);
         bool isGrown = true;
         while (isGrown)
         {
@@ -38,9 +39,11 @@ internal sealed class PatchGroups
             for (int i = first + 1; i < patches.Length && _count < _parts.Length; i++)
             {
                 ref readonly Patch other = ref patches[i];
+                if (other.Top > box.Bottom + gap)
+                    break;   // and so are all after it: a meadow has thousands
                 if (other.Colour != box.Colour || other.IsStrong != box.IsStrong
                     || other.Pixels < MinPart * MinPart * maxSidePixels * maxSidePixels
-                    || !IsNear(box, other, Math.Max(1.5, MaxGap * maxSidePixels)) || IsTaken(other))
+                    || !IsNear(box, other, gap) || IsTaken(other))
                     continue;
                 Patch joined = Join(box, other);
                 if (Math.Max(joined.Right - joined.Left, joined.Bottom - joined.Top) > MaxSpan * maxSidePixels)

@@ -45,8 +45,6 @@ public sealed class ShapeTargetDetector : ITargetDetector
     /// <summary>Side of the smallest panel that it finds, pixels.</summary>
     internal const double MinSidePixels = 4;
 
-    private const int MaxViable = 2048;
-
     // The least part of the side of the smallest target that is seen in its colour: the edge fades, and what is hidden
     // is not there. White does not fade.
     private const double MinSeenSide = 0.4;
@@ -85,8 +83,8 @@ public sealed class ShapeTargetDetector : ITargetDetector
     private readonly PatchCandidates _candidates = new();
     private readonly WhiteReference _white = new();
     private readonly PixelAreas _areas = new();
-    private readonly Patch[] _viable = new Patch[MaxViable];
-    private readonly bool[] _isGrouped = new bool[MaxViable];
+    private readonly Patch[] _viable = new Patch[PatchFinder.MaxPatches];
+    private readonly bool[] _isGrouped = new bool[PatchFinder.MaxPatches];
     private readonly PixelArray _pixels = new();
 
     /// <summary>Makes the detector.</summary>
@@ -129,8 +127,6 @@ public sealed class ShapeTargetDetector : ITargetDetector
         if (!_finder.TryFind(pixels, input.Width, input.Height, _table, _light))
             return DetectorResult.NotSearched(TooManySpots);
         int count = KeepViable(input);
-        if (count == MaxViable)
-            return DetectorResult.NotSearched(TooManySpots);
         _measure.SetPicture(pixels, input.Width, input.Height, _finder, _light);
         _candidates.Clear();
         _white.Clear(_light.Level);
@@ -167,7 +163,7 @@ public sealed class ShapeTargetDetector : ITargetDetector
             double least = MinSeenSideOf(patch.Colour);
             double largest = _areas.MaxAt(
                 input.GroundScale, (patch.Left + patch.Right) / 2.0, (patch.Top + patch.Bottom) / 2.0);
-            if (patch.Pixels * largest >= least * least && count < MaxViable)
+            if (patch.Pixels * largest >= least * least)
                 _viable[count++] = patch;
         }
 
