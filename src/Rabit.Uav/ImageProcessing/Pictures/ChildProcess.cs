@@ -4,7 +4,6 @@ using System.ComponentModel;
 using System.Diagnostics;
 using System.IO;
 using System.Text;
-using System.Threading;
 
 namespace Rabit.Uav.ImageProcessing;
 
@@ -24,9 +23,7 @@ internal sealed class ChildProcess : IDisposable
     private readonly Process _process;
     private readonly EventHandler _onExit;
     private readonly OrphanWatch? _watch;
-
-    // Set by the thread that reads the errors, at their end.
-    private readonly ManualResetEventSlim _isErrorRead = new();
+    private readonly ErrorLines _errors;
 
     /// <exception cref="IOException">It cannot be started; the text says why, without its name.</exception>
     public ChildProcess(string program, IReadOnlyList<string> arguments, Action<string> onErrorLine)
@@ -42,13 +39,6 @@ internal sealed class ChildProcess : IDisposable
                 CreateNoWindow = true,
             },
         };
-        _process.ErrorDataReceived += (_, line) =>
-        {
-            if (line.Data is null)
-                _isErrorRead.Set();
-            else if (!string.IsNullOrWhiteSpace(line.Data))
-                onErrorLine(line.Data);
-        };
         _onExit = (_, _) => Kill();
         try
         {
@@ -63,7 +53,7 @@ internal sealed class ChildProcess : IDisposable
         _watch = OrphanWatch.TryStart(_process.Id);
         AppDomain.CurrentDomain.ProcessExit += _onExit;
         _process.StandardInput.Dispose();   // else it may take keys that are meant for this program
-        _process.BeginErrorReadLine();
+        _errors = new ErrorLines(_process.StandardError.BaseStream, onErrorLine);
         Output = _process.StandardOutput.BaseStream;
     }
 
@@ -74,7 +64,7 @@ internal sealed class ChildProcess : IDisposable
     {
         bool hasEnded = _process.WaitForExit(MaxEndMs);
         if (hasEnded)
-            _isErrorRead.Wait(MaxEndMs);   // a program that it has started may go on, and keep them open
+            _errors.TryWait(MaxEndMs);   // a program that it has started may go on, and keep them open
         return hasEnded ? $"it ended with exit code {_process.ExitCode}" : "it closed its output";
     }
 
@@ -96,8 +86,9 @@ internal sealed class ChildProcess : IDisposable
         AppDomain.CurrentDomain.ProcessExit -= _onExit;
         Kill();
         _watch?.Dispose();
+        _errors.Dispose();
+        Output.Dispose();   // which the process leaves to those who have asked for it
         _process.Dispose();
-        _isErrorRead.Dispose();
     }
 
     // The runtimes name it in different ways, some with the working folder, which has nothing to do with it.

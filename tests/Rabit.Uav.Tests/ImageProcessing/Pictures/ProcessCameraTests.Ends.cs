@@ -72,6 +72,21 @@ public sealed partial class ProcessCameraTests
         Assert.Equal((5, 0), (camera.PicturesDelivered, camera.Restarts));
     }
 
+    // A line of 20 MB to the errors, then one that is as others.
+    [ShellFact]
+    public void Read_LineOfErrorsThatDoesNotEnd_IsCutShort()
+    {
+        ProcessCameraOptions options = Options(
+            "cat \"$1\"; head -c 20000000 /dev/zero | tr '\\0' . >&2; echo >&2; echo behind it >&2; sleep 60",
+            Path.Combine(Jpegs, "420.jpg"));
+        options.StallTimeout = MaxWait;
+
+        Run(options, 1, out _, until: () => _log.Contains("sh: behind it"));
+
+        string dots = Assert.Single(_log, line => line.StartsWith("sh: ....", StringComparison.Ordinal));
+        Assert.Equal("sh: " + new string('.', 500) + " ...", dots.Length > 1000 ? $"{dots.Length} characters" : dots);
+    }
+
     // As a terminal does at Ctrl-C: its signal ends the program, and asks us to stop a little later.
     [ShellFact]
     public void Stop_ProgramThatHasJustEnded_IsNoFault()
