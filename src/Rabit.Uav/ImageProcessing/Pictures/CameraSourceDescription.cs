@@ -18,6 +18,7 @@ internal static class CameraSourceDescription
     private const string Device = "device";
     private const string Focus = "focus";
     private const string Format = "format";
+    private const string RowBytes = "rowBytes";
     private const string Rate = "framesPerSecond";
     private const string Exposure = "exposureMicroseconds";
     private const string Latency = "latencyMicroseconds";
@@ -61,13 +62,15 @@ internal static class CameraSourceDescription
         string[] arguments = ReadArguments(source, model, rate, faults);
         CheckMetadata(source, arguments, faults);
         var defaults = new ProcessCameraOptions();
+        ProcessCameraFormat format = ReadFormat(source, model, faults);
         return new ProcessCameraOptions
         {
             Program = PathOf(program ?? string.Empty, folder),
             Arguments = arguments,
-            Format = ReadFormat(source, model, faults),
+            Format = format,
             Width = model.Width,
             Height = model.Height,
+            RowBytes = ReadRowBytes(source, format, model.Width, faults),
             MaxFramesPerSecond = rate,
             Exposure = ReadMicroseconds(source, Exposure, 0, faults) ?? defaults.Exposure,
             Latency = ReadMicroseconds(source, Latency, 0, faults) ?? defaults.Latency,
@@ -96,6 +99,16 @@ internal static class CameraSourceDescription
         }
 
         return format ?? (isThermal ? ProcessCameraFormat.Grey16 : ProcessCameraFormat.Mjpeg);
+    }
+
+    private static int? ReadRowBytes(JsonFields source, ProcessCameraFormat format, int width, List<string> faults)
+    {
+        if (!source.Has(RowBytes))
+            return null;
+        int bytes = source.RequiredWholeNumber(RowBytes);
+        if (ProcessCameraOptions.FindRowFault(bytes, format, width) is { } fault)
+            faults.Add($"source.{RowBytes}: {fault}");
+        return bytes;
     }
 
     private static V4l2CameraOptions ReadDevice(JsonFields source, CameraModel model, List<string> faults)

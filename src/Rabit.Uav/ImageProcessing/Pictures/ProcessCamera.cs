@@ -297,7 +297,14 @@ public sealed partial class ProcessCamera : ICamera
     {
         if (_options.Format == ProcessCameraFormat.Mjpeg)
             _pictures.DecodeJpeg(_stream.Bytes, start, length, pixels);
-        else if (_options.Format == ProcessCameraFormat.Grey16)
+        else
+            CopyRaw(pixels, start);
+    }
+
+    private void CopyRaw(byte[] pixels, int start)
+    {
+        int length = _stream.RemovePadding(start);
+        if (_options.Format == ProcessCameraFormat.Grey16)
             Buffer.BlockCopy(_stream.Bytes, start, pixels, 0, length);
         else
             _pictures.ConvertYuv420(

@@ -14,6 +14,8 @@ public sealed class ProcessCameraOptions
     internal const double MinRate = 0.1;
     internal const double MaxRate = 1000;
 
+    private const int MaxRowPadding = 4096;
+
     /// <summary>The program, by its path or by a name that is found in PATH.</summary>
     public string Program { get; set; } = string.Empty;
 
@@ -34,6 +36,15 @@ public sealed class ProcessCameraOptions
 
     /// <summary>Rows of its pictures.</summary>
     public int Height { get; set; }
+
+    /// <summary>
+    /// Bytes from one row of a raw picture to the next, where the program pads them: <c>rpicam-vid --codec yuv420</c>
+    /// makes them a multiple of 64, so that 1640 columns take 1664. Of <see cref="ProcessCameraFormat.Yuv420"/> and
+    /// <see cref="ProcessCameraFormat.Yuv420FullRange"/> those of a row of brightness, an even number; a row of colour
+    /// has half of it. Null for rows that follow each other.
+    /// </summary>
+    /// <value>The default is null.</value>
+    public int? RowBytes { get; set; }
 
     /// <summary>How long an exposure takes.</summary>
     /// <value>The default is 5 ms.</value>
@@ -98,6 +109,20 @@ public sealed class ProcessCameraOptions
 
     internal bool HasMetadata { get; private set; }
 
+    /// <summary>What is wrong with the bytes of a row; null where nothing is.</summary>
+    internal static string? FindRowFault(int? rowBytes, ProcessCameraFormat format, int width)
+    {
+        if (rowBytes is not { } bytes)
+            return null;
+        if (format == ProcessCameraFormat.Mjpeg)
+            return "it is of raw pictures, and those of mjpeg have no rows";
+        int min = format == ProcessCameraFormat.Grey16 ? width * 2 : width + (width % 2);
+        int max = min + MaxRowPadding;
+        return bytes >= min && bytes <= max && bytes % 2 == 0
+            ? null
+            : FormattableString.Invariant($"it is {bytes}; it must be even and {min} to {max}");
+    }
+
     internal ProcessCameraOptions ValidatedCopy(string parameter)
     {
         var copy = (ProcessCameraOptions)MemberwiseClone();
@@ -107,6 +132,8 @@ public sealed class ProcessCameraOptions
             throw new ArgumentException("A camera of a process needs a program.", parameter);
         if (RgbPicture.FindSizeFault(Width, Height) is { } fault)
             throw new ArgumentException($"The camera of {Program}: {fault}.", parameter);
+        if (FindRowFault(RowBytes, Format, Width) is { } rowFault)
+            throw new ArgumentException($"The camera of {Program}: {nameof(RowBytes)}: {rowFault}.", parameter);
         if (copy.HasMetadata && !OperatingSystem.IsLinux())
             throw new ArgumentException(
                 $"The camera of {Program}: {MetadataPlace} stands in its arguments, and works on Linux only.",

@@ -35,10 +35,15 @@ internal sealed class ProcessPictures
     /// <summary>Whether there are more bytes without a picture than one may have.</summary>
     public bool IsFull => _filled == _maxBytes;
 
-    // Of one picture, where all are of one size.
-    private int RawBytes => _options.Format == ProcessCameraFormat.Grey16
-        ? _options.Width * _options.Height * DetectorInput.BytesPerPixel(PixelFormat.Grey16)
-        : Yuv420.BytesOf(_options.Width, _options.Height);
+    // Of one picture, where all are of one size. Rows of colour have half of the bytes of those of brightness.
+    private int RawBytes => (_options.Format, _options.RowBytes) switch
+    {
+        (ProcessCameraFormat.Grey16, _) => _options.Height * (_options.RowBytes ?? GreyRowBytes),
+        (_, { } row) => (_options.Height + ((_options.Height + 1) / 2)) * row,
+        _ => Yuv420.BytesOf(_options.Width, _options.Height),
+    };
+
+    private int GreyRowBytes => _options.Width * DetectorInput.BytesPerPixel(PixelFormat.Grey16);
 
     public void Clear() => _filled = 0;
 
@@ -86,6 +91,31 @@ internal sealed class ProcessPictures
         bool isWhole = _filled - from >= length;
         keep = isWhole ? from + length : from;
         return isWhole;
+    }
+
+    /// <summary>Removes what a raw picture has behind its rows, if anything, where it is.</summary>
+    /// <param name="start">Where it begins.</param>
+    /// <returns>Its bytes without that.</returns>
+    public int RemovePadding(int start)
+    {
+        if (_options.RowBytes is not { } row)
+            return RawBytes;
+        (int from, int to) = (start, start);
+        if (_options.Format == ProcessCameraFormat.Grey16)
+        {
+            MoveRows(_options.Height, row, GreyRowBytes, ref from, ref to);
+            return to - start;
+        }
+
+        MoveRows(_options.Height, row, _options.Width, ref from, ref to);
+        MoveRows(2 * ((_options.Height + 1) / 2), row / 2, (_options.Width + 1) / 2, ref from, ref to);
+        return to - start;
+    }
+
+    private void MoveRows(int rows, int rowBytes, int used, ref int from, ref int to)
+    {
+        for (int i = 0; i < rows; i++, from += rowBytes, to += used)
+            Buffer.BlockCopy(Bytes, from, Bytes, to, used);
     }
 
     /// <summary>Drops what is before a place.</summary>

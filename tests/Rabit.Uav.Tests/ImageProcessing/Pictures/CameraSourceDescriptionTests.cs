@@ -22,7 +22,7 @@ public sealed class CameraSourceDescriptionTests : IDisposable
         CameraFolder folder = Open("""
             { "program": "rpicam-vid", "arguments": ["--width", "{width}", "--height", "{height}",
                 "--framerate", "{framesPerSecond}", "-o", "-"],
-              "format": "yuv420", "framesPerSecond": 7.5, "exposureMicroseconds": 2000, "latencyMicroseconds": 80000,
+              "format": "yuv420", "rowBytes": 704, "framesPerSecond": 7.5, "exposureMicroseconds": 2000, "latencyMicroseconds": 80000,
               "timeNoiseMicroseconds": 25000, "stallTimeoutSeconds": 3 }
             """);
 
@@ -31,8 +31,8 @@ public sealed class CameraSourceDescriptionTests : IDisposable
         Assert.Equal(
             ["--width", "640", "--height", "480", "--framerate", "7.5", "-o", "-"], options.Arguments);
         Assert.Equal(
-            (ProcessCameraFormat.Yuv420, 640, 480, 7.5),
-            (options.Format, options.Width, options.Height, options.MaxFramesPerSecond));
+            (ProcessCameraFormat.Yuv420, 640, 480, 704, 7.5),
+            (options.Format, options.Width, options.Height, options.RowBytes, options.MaxFramesPerSecond));
         Assert.Equal(
             (2.0, 80.0, 25.0, 3000.0),
             (options.Exposure.TotalMilliseconds, options.Latency.TotalMilliseconds,
@@ -51,6 +51,16 @@ public sealed class CameraSourceDescriptionTests : IDisposable
         Assert.Equal(
             (ProcessCameraFormat.Mjpeg, null, defaults.Exposure, defaults.Latency, defaults.TimeNoise),
             (options.Format, options.MaxFramesPerSecond, options.Exposure, options.Latency, options.TimeNoise));
+    }
+
+    [Fact]
+    public void Open_RowsThatCannotBe_AreRefused()
+    {
+        Exception fault = Assert.ThrowsAny<Exception>(
+            () => Open("""{ "program": "sh", "format": "yuv420", "rowBytes": 639 }"""));
+
+        Assert.Contains("source.rowBytes: it is 639; it must be even and 640 to 4736", fault.Message,
+            StringComparison.Ordinal);
     }
 
     [LinuxFact]

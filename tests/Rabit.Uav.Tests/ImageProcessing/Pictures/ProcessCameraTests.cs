@@ -40,33 +40,6 @@ public sealed partial class ProcessCameraTests : IDisposable
         Assert.All(pictures, p => Assert.Equal(PictureFile.Load(Path.Combine(Jpegs, "420.jpg")).Pixels, p));
     }
 
-    [ShellFact]
-    public void Read_RawPictures_GivesThem()
-    {
-        byte[] raw = [.. Enumerable.Repeat((byte)235, 61 * 43), .. Enumerable.Repeat((byte)128, 2 * 31 * 22)];
-        File.WriteAllBytes(_folder.File("raw"), [.. raw, .. raw.Take(100)]);
-        ProcessCameraOptions options = Options("cat \"$1\"; sleep 60", _folder.File("raw"));
-        options.Format = ProcessCameraFormat.Yuv420;
-
-        Assert.All(Assert.Single(Run(options, 1, out _)), b => Assert.Equal(255, b));
-    }
-
-    [ShellFact]
-    public void Read_Thermal_GivesItsCounts()
-    {
-        byte[] counts = new byte[61 * 43 * 2];
-        new Random(3).NextBytes(counts);
-        File.WriteAllBytes(_folder.File("counts"), [.. counts, .. counts.Take(100)]);
-        ProcessCameraOptions options = Options("cat \"$1\"; sleep 60", _folder.File("counts"));
-        options.Format = ProcessCameraFormat.Grey16;
-        var frames = new List<CameraFrame>();
-
-        byte[] read = Assert.Single(Run(options, 1, out ProcessCamera camera, frames: frames));
-        Assert.Equal(counts, read.Take(counts.Length));
-        Assert.Equal(PixelFormat.Grey16, frames[0].Format);
-        Assert.Equal((1, 0), (camera.PicturesDelivered, camera.PicturesRefused));
-    }
-
     // $1 is the picture, $2 the pipe: a shell with the two of rpicam-vid's metadata that count, and one that does not.
     [LinuxFact]
     public void Read_ProgramThatReportsTimes_GivesThoseOfTheSensor()
