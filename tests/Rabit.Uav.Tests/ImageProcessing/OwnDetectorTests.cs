@@ -48,6 +48,31 @@ public sealed class OwnDetectorTests
         Assert.Equal(0, rig.Finish().ExitCode);
     }
 
+    // An exception is the user's code too, as those of wrapped native libraries: its message has several lines, or
+    // throws itself.
+    [Theory]
+    [InlineData("no model\r\nat line 1\n", "the detector threw ForeignException: no model at line 1 ")]
+    [InlineData(null, "the detector threw ForeignException: (its message cannot be read: InvalidOperationException)")]
+    public void Detector_ThrowsForeignException_IsOneLineOfTheLog(string? message, string line)
+    {
+        int calls = 0;
+        using ImagingRig rig = Rig(input => ++calls == 1 ? throw new ForeignException(message) : Good(input));
+        Fly(rig, pictures: 2);
+
+        Assert.Equal((1L, 1L), (rig.Status.DetectorFailures, rig.Status.Observations));
+        Assert.Equal(line, rig.Status.LastDetectorFault);
+        rig.AssertAllGivenBack();
+        Assert.Equal(0, rig.Finish().ExitCode);
+    }
+
+    [Fact]
+    public void Detector_ThrowsAnEndlessMessage_ItIsCutShort()
+    {
+        using ImagingRig rig = Rig(_ => throw new InvalidOperationException(new string('x', 1_000_000)));
+        Fly(rig, pictures: 1);
+        Assert.InRange(rig.Status.LastDetectorFault!.Length, 1000, 2100);
+    }
+
     [Theory]
     [InlineData(-1)]
     [InlineData(17)]
@@ -232,6 +257,11 @@ public sealed class OwnDetectorTests
         for (int i = 0; i < pictures; i++)
             rig.Camera!.Add(i, 1 + (0.2 * i), 1.1 + (0.2 * i));
         rig.Run(2);
+    }
+
+    private sealed class ForeignException(string? message) : Exception
+    {
+        public override string Message => message ?? throw new InvalidOperationException();
     }
 
     private delegate DetectorResult Script(in DetectorInput input, Span<TargetDetection> found);

@@ -1,4 +1,5 @@
 using System;
+using Rabit.Core.Diagnostics;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing;
@@ -49,8 +50,8 @@ internal sealed class DetectorRunner(
         }
         catch (Exception e)
         {
-            // Whatever it is: a detector that fails may not end the flight.
-            return Fail($"the detector threw {e.GetType().Name}: {e.Message}");
+            // Whatever it is: a detector that fails may not end the flight, nor may its exception.
+            return Fail($"the detector threw {ExceptionText.Describe(e)}");
         }
 
         if (clock() - begin > budget)
