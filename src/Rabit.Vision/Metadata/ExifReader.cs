@@ -122,7 +122,7 @@ internal sealed class ExifReader(byte[] file, int start, int length, PhotoMetada
                 _longitude = Three(type, count, at);
                 break;
             case 5:
-                _isBelowSea = Number(type, at) == 1;
+                _isBelowSea = Number(type, at) is 1 or 3;   // against the ellipsoid or the sea since EXIF 3.0
                 break;
             case 6:
                 _altitude = Number(type, at);

@@ -15,6 +15,7 @@ internal static class XmpReader
     private const string Namespace = "http://www.dji.com/drone-dji/";
     private const double MaxMetres = 100_000;
     private const double MaxPixels = 1_000_000;
+    private const int MaxReason = 200;
 
     public static void Read(string text, PhotoMetadata photo, List<string> faults)
     {
@@ -28,27 +29,44 @@ internal static class XmpReader
         try
         {
             using var reader = XmlReader.Create(new StringReader(text.TrimEnd('\0')), settings);
-            string? element = null;
-            while (reader.Read())
-            {
-                if (reader.NodeType == XmlNodeType.Text && element is not null)
-                    Add(found, element, reader.Value);
-                if (reader.NodeType != XmlNodeType.Element)
-                    continue;
-                element = IsDrone(reader) ? reader.LocalName : null;
-                while (reader.MoveToNextAttribute())
-                {
-                    if (IsDrone(reader))
-                        Add(found, reader.LocalName, reader.Value);
-                }
-            }
+            ReadNodes(reader, found);
         }
         catch (XmlException e)
         {
-            faults.Add("XMP: " + e.Message);
+            // It may name each element that has no end.
+            faults.Add("XMP: " + (e.Message.Length > MaxReason ? e.Message.Remove(MaxReason) : e.Message));
         }
 
         Take(found, photo, faults);
+    }
+
+    // A text comes in parts where a comment or the like divides it; it ends where its element does, or another begins.
+    private static void ReadNodes(XmlReader reader, Dictionary<string, string> found)
+    {
+        string? element = null;
+        string text = string.Empty;
+        while (reader.Read())
+        {
+            if (reader.NodeType is XmlNodeType.Text or XmlNodeType.CDATA && element is not null)
+                text += reader.Value;
+            if (reader.NodeType is not (XmlNodeType.Element or XmlNodeType.EndElement))
+                continue;
+            if (element is not null && text.Length > 0)
+                Add(found, element, text);
+            bool isBegin = reader.NodeType == XmlNodeType.Element;
+            (element, text) = (isBegin && !reader.IsEmptyElement && IsDrone(reader) ? reader.LocalName : null, "");
+            if (isBegin)
+                AddAttributes(reader, found);
+        }
+    }
+
+    private static void AddAttributes(XmlReader reader, Dictionary<string, string> found)
+    {
+        while (reader.MoveToNextAttribute())
+        {
+            if (IsDrone(reader))
+                Add(found, reader.LocalName, reader.Value);
+        }
     }
 
     private static bool IsDrone(XmlReader reader)

@@ -50,6 +50,50 @@ public sealed class PhotoMetadataTests
         Assert.Equal((-106.6, 22.5, 114.25), (photo.GimbalYawDegrees, photo.LatitudeDegrees, photo.LongitudeDegrees));
     }
 
+    // One text for XML, in parts for those that read it.
+    [Theory]
+    [InlineData("-4<!-- of the gimbal -->5.5")]
+    [InlineData("<![CDATA[-45.5]]>")]
+    [InlineData("-4<?a b?><![CDATA[5]]>.5")]
+    [InlineData("\n  &#45;45.5\n")]
+    public void Read_XmpElementInParts_IsOneNumber(string text)
+    {
+        byte[] xmp = Encoding.ASCII.GetBytes(Encoding.ASCII.GetString(PhotoBytes.Xmp(string.Empty)).Replace(
+            "></rdf:Description>",
+            $"><drone-dji:GimbalPitchDegree>{text}</drone-dji:GimbalPitchDegree><rdf:b>7</rdf:b></rdf:Description>"));
+
+        PhotoMetadata photo = PhotoMetadata.Read(PhotoBytes.With(null, xmp), "x");
+
+        Assert.Empty(photo.Faults);
+        Assert.Equal(-45.5, photo.GimbalPitchDegrees);
+    }
+
+    [Fact]
+    public void Read_XmpThatNeverEnds_IsAFaultOfALine()
+    {
+        byte[] xmp = Encoding.ASCII.GetBytes(
+            "http://ns.adobe.com/xap/1.0/\0" + string.Concat(Enumerable.Repeat("<a>", 10_000)));
+
+        string fault = Assert.Single(PhotoMetadata.Read(PhotoBytes.With(null, xmp), "x").Faults);
+
+        Assert.StartsWith("XMP: ", fault, StringComparison.Ordinal);
+        Assert.InRange(fault.Length, 20, 220);
+    }
+
+    // 0 and 1 until EXIF 2.3, all four since EXIF 3.0.
+    [Theory]
+    [InlineData(0, 430.5)]
+    [InlineData(1, -430.5)]
+    [InlineData(2, 430.5)]
+    [InlineData(3, -430.5)]
+    public void Read_AltitudeWithReference_HasItsSign(byte reference, double altitude)
+    {
+        byte[] exif = PhotoBytes.Exif(
+            false, PhotoBytes.First, PhotoBytes.Detail, [(5, reference), (6, PhotoBytes.Rationals(4305, 10))]);
+
+        Assert.Equal(altitude, PhotoMetadata.Read(PhotoBytes.With(exif, null), "x").AltitudeAmslMetres);
+    }
+
     [Fact]
     public void Read_NothingSaid_IsEmpty()
     {
