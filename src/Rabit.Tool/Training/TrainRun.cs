@@ -21,10 +21,13 @@ internal static class TrainRun
     {
         try
         {
-            // Before minutes of training: whether it could be written.
+            // Before minutes of training: whether it could be written, and where nothing is lost by that.
             CheckFolder(output);
+            CheckNotRead(output, labels);
             var trainer = new TemplateTrainer(options);
             LabelFile file = LabelFile.Load(labels);
+            foreach (LabelledPicture picture in file.Pictures)
+                CheckNotRead(output, picture.Path);
             double pixel = options.MetresPerPixel ?? options.LengthMetres / PixelsPerLength;
             TemplateTrainingResult result = Train(trainer, file, labels, pixel);
             result.Template.Save(output);
@@ -116,6 +119,14 @@ internal static class TrainRun
         string? folder = Path.GetDirectoryName(Path.GetFullPath(output));
         if (folder is not null && !Directory.Exists(folder))
             throw new FormatException($"{output}: there is no folder {folder}");
+        if (Directory.Exists(output))
+            throw new FormatException($"{output}: that is a folder");
+    }
+
+    private static void CheckNotRead(string output, string input)
+    {
+        if (Path.GetFullPath(input).Equals(Path.GetFullPath(output), StringComparison.Ordinal))
+            throw new FormatException($"--output would overwrite {input}, which is read");
     }
 
     // .NET appends the name of a parameter, which is none of the user's.

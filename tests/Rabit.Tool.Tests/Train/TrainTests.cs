@@ -62,6 +62,30 @@ public sealed class TrainTests : IDisposable
     }
 
     [Theory]
+    [InlineData("labels.json", "--output would overwrite ")]
+    [InlineData("b.png", "--output would overwrite ")]
+    [InlineData("sub", "sub: that is a folder")]
+    public void Train_OutputThatWouldBeLost_IsRefusedAtOnce(string output, string fault)
+    {
+        WritePictures();
+        Directory.CreateDirectory(Path.Combine(_folder, "sub"));
+        string labels = $$"""
+            { "pictures": [
+              { "file": "a.png", "metresPerPixel": 0.1, "boxes": [{{Boxes}}] },
+              { "file": "b.png", "metresPerPixel": 0.1, "boxes": [{{Boxes}}] } ] }
+            """;
+        File.WriteAllText(Labels, labels);
+        byte[] picture = File.ReadAllBytes(Path.Combine(_folder, "b.png"));
+
+        ToolProcess refused = ToolProcess.Run("train", Labels, "--output", Path.Combine(_folder, output));
+
+        Assert.Equal(2, refused.ExitCode);
+        Assert.Contains(fault, Assert.Single(refused.Errors), StringComparison.Ordinal);
+        Assert.Equal(labels, File.ReadAllText(Labels));
+        Assert.Equal(picture, File.ReadAllBytes(Path.Combine(_folder, "b.png")));
+    }
+
+    [Theory]
     [InlineData("0.00149", 2)]
     [InlineData("0.0015", 0)]
     public void Train_PictureOfOnePixelOfTheTemplate_IsTheSmallest(string metresPerPixel, int exitCode)
