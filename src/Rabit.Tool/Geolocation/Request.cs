@@ -16,7 +16,6 @@ internal sealed class Request
     private const string Pixel = "pixel";
     private const string Pixels = "pixels";
     private const string Gimbal = "gimbal";
-    private const string GroundAltitude = "groundAltitudeAmslMetres";
     private const int MaxPixels = 10_000;
     private const double MaxSeconds = 1e11;   // some 3000 years: far below what a TimeSpan holds
 
@@ -50,7 +49,7 @@ internal sealed class Request
         var locator = new PixelGeolocator(options);
         TimeSpan time = TimeSpan.FromSeconds(TimeOf(line));
         if (line.Telemetry is null)
-            AddPose(locator, request.Object("pose", [.. Telemetry.Names]));
+            AddPose(locator, request.Object("pose", [.. PoseField.All.Select(f => f.Name)]));
         else
             time = Telemetry.Read(line.Telemetry, time, locator, usesGimbal: !request.Has(Gimbal));
         return new Request(
@@ -110,7 +109,7 @@ internal sealed class Request
             "-" => (input.ReadToEnd(), "the standard input"),
             _ => (File.ReadAllText(file), file),
         };
-        return RequestFields.Parse(text, name, "pose", Gimbal, GroundAltitude, Pixel, Pixels);
+        return RequestFields.Parse(text, name, "pose", Gimbal, PoseField.GroundAltitude.Name, Pixel, Pixels);
     }
 
     private static TerrainGrid TerrainOf(string file)
@@ -129,22 +128,17 @@ internal sealed class Request
     private static ImagingCommand CommandOf(RequestFields request, bool hasTerrain)
     {
         RequestFields? gimbal = request.Has(Gimbal)
-            ? request.Object(Gimbal, "rollDegrees", "pitchDegrees", "yawDegrees")
+            ? request.Object(Gimbal, PoseField.Roll.Name, PoseField.Pitch.Name, PoseField.Yaw.Name)
             : null;
         return new ImagingCommand
         {
-            GroundAltitudeAmslMetres = hasTerrain
-                ? request.OptionalNumber(GroundAltitude)
-                : request.Number(GroundAltitude),
-            CameraRoll = Angle.FromDegrees(gimbal?.OptionalNumber("rollDegrees") ?? 0),
-            CameraPitch = Angle.FromDegrees(gimbal?.Number("pitchDegrees") ?? -90),
-            CameraYaw = Angle.FromDegrees(gimbal?.Number("yawDegrees") ?? 0),
+            GroundAltitudeAmslMetres = request.Number(PoseField.GroundAltitude with { IsOptional = hasTerrain }),
+            CameraRoll = Angle.FromDegrees(gimbal?.Number(PoseField.Roll with { IsOptional = true }) ?? 0),
+            CameraPitch = Angle.FromDegrees(gimbal?.Number(PoseField.Pitch) ?? -90),
+            CameraYaw = Angle.FromDegrees(gimbal?.Number(PoseField.Yaw) ?? 0),
         };
     }
 
-    private static void AddPose(PixelGeolocator locator, RequestFields pose) => Telemetry.Add(locator, default, [
-        pose.Degrees("latitudeDegrees", 90), pose.Degrees("longitudeDegrees", 180), pose.Number("altitudeAmslMetres"),
-        pose.OptionalNumber("velocityNorthMetresPerSecond"), pose.OptionalNumber("velocityEastMetresPerSecond"),
-        pose.OptionalNumber("velocityDownMetresPerSecond"),
-        pose.Number("rollDegrees"), pose.Number("pitchDegrees"), pose.Number("yawDegrees")]);
+    private static void AddPose(PixelGeolocator locator, RequestFields pose)
+        => Telemetry.Add(locator, default, [.. PoseField.All.Select(field => pose.Number(field))]);
 }

@@ -50,6 +50,11 @@ internal sealed class RequestFields
         {
             throw new FormatException($"{file}: it is not JSON: {e.Message}", e);
         }
+        catch (InvalidOperationException e)
+        {
+            // The runtime's, for half of a surrogate pair.
+            throw new FormatException($"{file}: a name in it cannot be read: {e.Message}", e);
+        }
     }
 
     public bool Has(string name) => _values.ContainsKey(name);
@@ -61,9 +66,14 @@ internal sealed class RequestFields
 
     public double OptionalNumber(string name) => Has(name) ? Number(name) : 0;
 
-    /// <summary>Degrees, from -<paramref name="max"/> to <paramref name="max"/>.</summary>
-    public double Degrees(string name, double max) => Number(name) is var degrees && Math.Abs(degrees) <= max
-        ? degrees : throw Wrong(_prefix + name, _values[name], FormattableString.Invariant($"-{max} to {max}"));
+    /// <summary>A number within the range of a field; 0 where it may be missing and is.</summary>
+    public double Number(in PoseField field)
+    {
+        if (field.IsOptional && !Has(field.Name))
+            return 0;
+        double number = Number(field.Name);
+        return field.Holds(number) ? number : throw Wrong(_prefix + field.Name, _values[field.Name], field.Range);
+    }
 
     /// <summary>A list of two numbers.</summary>
     public (double First, double Second) Pair(string name) => Pair(Required(name), name);

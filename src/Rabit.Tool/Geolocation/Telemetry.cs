@@ -18,15 +18,7 @@ internal static class Telemetry
     // Poses later than that after the picture are not needed for it.
     private static readonly TimeSpan Beyond = TimeSpan.FromSeconds(2);
 
-    /// <summary>What a pose has, in a request and as the columns of a table.</summary>
-    public static IReadOnlyList<string> Names { get; } =
-    [
-        "latitudeDegrees", "longitudeDegrees", "altitudeAmslMetres",
-        "velocityNorthMetresPerSecond", "velocityEastMetresPerSecond", "velocityDownMetresPerSecond",
-        "rollDegrees", "pitchDegrees", "yawDegrees",
-    ];
-
-    private static readonly string[] Columns = ["timeSeconds", .. Names];   // after Names, which it takes
+    private static readonly string[] Columns = ["timeSeconds", .. PoseField.All.Select(f => f.Name)];
 
     /// <param name="file">A table or a log.</param>
     /// <param name="time">Of the picture.</param>
@@ -80,6 +72,7 @@ internal static class Telemetry
                 throw new FormatException($"Line {number} of {file} has {words.Length} numbers, not {width}.");
             double[] row = [.. places.Select(p => Number(words[p], number, file))];
             TimeSpan time = TimeSpan.FromTicks((long)Math.Round(row[0] * TimeSpan.TicksPerSecond));
+            Check(row, number, file);
             Add(locator, time, [.. row.Skip(1)]);
             if (time > until)
                 break;
@@ -95,6 +88,17 @@ internal static class Telemetry
             header.Select(w => w.Trim()).FirstOrDefault(w => OldNames.NewNameOf(w) == column) is { } old
                 ? $"The first line of {file} names a column {old}, of an older form of the file; it is {column} now."
                 : $"The first line of {file} names no column {column}.");
+    }
+
+    private static void Check(double[] row, int line, string file)
+    {
+        for (int i = 0; i < PoseField.All.Count; i++)
+        {
+            PoseField field = PoseField.All[i];
+            if (!field.Holds(row[i + 1]))
+                throw new FormatException(FormattableString.Invariant(
+                    $"Line {line} of {file}: {field.Name} is {row[i + 1]}; it must be {field.Range}."));
+        }
     }
 
     private static double Number(string word, int line, string file)

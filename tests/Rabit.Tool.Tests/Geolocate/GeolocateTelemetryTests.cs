@@ -79,6 +79,9 @@ public sealed class GeolocateTelemetryTests : IDisposable
     [InlineData("timeSeconds,lat_deg\n1,2",
         "names a column lat_deg, of an older form of the file; it is latitudeDegrees now")]
     [InlineData("1,2,3", "Line 1 of")]
+    [InlineData("1,47,8,1e9,0,0,0,0,0,0", "Line 1 of")]
+    [InlineData("1,47,8,540,0,0,0,0,0,0\n2,47,8,NaN,0,0,0,0,0,0", "altitudeAmslMetres is NaN; it must be -1000 to 100000")]
+    [InlineData("1,47,188,540,0,0,0,0,0,0", "longitudeDegrees is 188; it must be -180 to 180")]
     [InlineData("1,47,8,540,0,0,0,0,0,0\n2,47,8,540,0,0,0,0,zero,0", "Line 2 of")]
     public void Table_Wrong_IsNamed(string text, string message)
     {
