@@ -12,7 +12,10 @@ internal sealed class ExifReader(byte[] file, int start, int length, PhotoMetada
 {
     private const int EntryBytes = 12;
     private const int MaxFaults = 20;
-    private const double MaxExposureSeconds = 3600;
+
+    public const double MaxExposureSeconds = 3600;
+    public const double MaxMetres = 100_000;
+    public const double MaxNumber = 1e6;   // of what is above 0
 
     private static readonly int[] TypeBytes = [0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8];
 
@@ -144,7 +147,7 @@ internal sealed class ExifReader(byte[] file, int start, int length, PhotoMetada
 
     private void Finish()
     {
-        if (_altitude is { } altitude && Math.Abs(altitude) < 100_000)
+        if (_altitude is { } altitude && Math.Abs(altitude) < MaxMetres)
             photo.AltitudeAmslMetres = _isBelowSea ? -Math.Abs(altitude) : altitude;
         TakePosition();
         TakeTime();
@@ -202,7 +205,7 @@ internal sealed class ExifReader(byte[] file, int start, int length, PhotoMetada
 
     private static double Degrees(double[] parts) => parts[0] + (parts[1] / 60) + (parts[2] / 3600);
 
-    private static double? Positive(double value) => value > 0 && value < 1e6 ? value : null;
+    private static double? Positive(double value) => value > 0 && value < MaxNumber ? value : null;
 
     private void ReadDirectory(long offset, string name, Take take)
     {

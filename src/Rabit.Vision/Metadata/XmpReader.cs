@@ -13,8 +13,9 @@ namespace Rabit.Vision;
 internal static class XmpReader
 {
     private const string Namespace = "http://www.dji.com/drone-dji/";
-    private const double MaxMetres = 100_000;
-    private const double MaxPixels = 1_000_000;
+    public const double MaxMetres = 100_000;
+    public const double MaxPixels = 1_000_000;
+    public const double MaxDegrees = 360;
     private const int MaxReason = 200;
 
     public static void Read(string text, PhotoMetadata photo, List<string> faults)
@@ -100,12 +101,12 @@ internal static class XmpReader
                 faults.Add("XMP: DewarpData is not of its form");
         }
 
-        photo.GimbalRollDegrees = Number("GimbalRollDegree", 360);
-        photo.GimbalPitchDegrees = Number("GimbalPitchDegree", 360);
-        photo.GimbalYawDegrees = Number("GimbalYawDegree", 360);
-        photo.FlightRollDegrees = Number("FlightRollDegree", 360);
-        photo.FlightPitchDegrees = Number("FlightPitchDegree", 360);
-        photo.FlightYawDegrees = Number("FlightYawDegree", 360);
+        photo.GimbalRollDegrees = Number("GimbalRollDegree", MaxDegrees);
+        photo.GimbalPitchDegrees = Number("GimbalPitchDegree", MaxDegrees);
+        photo.GimbalYawDegrees = Number("GimbalYawDegree", MaxDegrees);
+        photo.FlightRollDegrees = Number("FlightRollDegree", MaxDegrees);
+        photo.FlightPitchDegrees = Number("FlightPitchDegree", MaxDegrees);
+        photo.FlightYawDegrees = Number("FlightYawDegree", MaxDegrees);
         photo.RelativeAltitudeMetres = Number("RelativeAltitude", MaxMetres);
         photo.AbsoluteAltitudeMetres = Number("AbsoluteAltitude", MaxMetres);
 

@@ -105,6 +105,54 @@ public sealed class PhotoWriterTests
     }
 
     [Fact]
+    public void Encode_WhatIsNoNumberOrOutOfItsRange_IsLeftOut()
+    {
+        PhotoMetadata[] none =
+        [
+            new() { LatitudeDegrees = double.NaN, LongitudeDegrees = 5 },
+            new() { LatitudeDegrees = 91, LongitudeDegrees = 5 },
+            new() { LatitudeDegrees = 5, LongitudeDegrees = -180.001 },
+            new() { AltitudeAmslMetres = double.PositiveInfinity, ImageDirectionDegrees = double.NaN },
+            new() { TakenLocal = DateTime.MinValue, ExposureTime = TimeSpan.MaxValue, Orientation = 9 },
+            new() { TakenLocal = DateTime.MaxValue, ExposureTime = TimeSpan.FromSeconds(-1), PixelWidth = -5 },
+            new() { FocalLengthMillimetres = -3, FocalLength35MillimetreEquivalentMillimetres = double.NaN },
+            new() { GimbalPitchDegrees = double.NegativeInfinity, GimbalYawDegrees = 1e300 },
+            new() { RelativeAltitudeMetres = double.NaN, AbsoluteAltitudeMetres = 1e20, FocalLengthPixels = 1e7 },
+            new() { Lens = new PhotoLens { FocalX = double.NaN, FocalY = 1 } },
+        ];
+        foreach (PhotoMetadata photo in none)
+        {
+            PhotoMetadata read = PhotoMetadata.Read(
+                PngPicture.Encode(Pictures.SamplePictures.Random(4, 5, seed: 1), photo), "x");
+
+            Assert.Empty(read.Faults);
+            Assert.All(
+                new double?[]
+                {
+                    read.LatitudeDegrees, read.LongitudeDegrees, read.AltitudeAmslMetres, read.ImageDirectionDegrees,
+                    read.FocalLengthMillimetres, read.FocalLength35MillimetreEquivalentMillimetres,
+                    read.GimbalPitchDegrees, read.GimbalYawDegrees, read.RelativeAltitudeMetres,
+                    read.AbsoluteAltitudeMetres, read.FocalLengthPixels, read.Orientation, read.PixelWidth,
+                    read.ExposureTime?.TotalSeconds,
+                },
+                number => Assert.Null(number));
+            Assert.Equal((null, null), (read.TakenLocal, read.Lens));
+        }
+    }
+
+    [Theory]
+    [InlineData(-10, 350)]
+    [InlineData(725.5, 5.5)]
+    [InlineData(360, 0)]
+    public void Encode_DirectionOfAnyTurn_IsThatFromNorth(double direction, double expected)
+    {
+        byte[] file = PngPicture.Encode(
+            Pictures.SamplePictures.Random(4, 5, seed: 1), new PhotoMetadata { ImageDirectionDegrees = direction });
+
+        Assert.Equal(expected, PhotoMetadata.Read(file, "x").ImageDirectionDegrees!.Value, 6);
+    }
+
+    [Fact]
     public void Encode_NothingKnown_SaysNothing()
     {
         PhotoMetadata read = PhotoMetadata.Read(
