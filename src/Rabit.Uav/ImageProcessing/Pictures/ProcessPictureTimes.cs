@@ -13,7 +13,8 @@ namespace Rabit.Uav.ImageProcessing;
 /// </summary>
 /// <remarks>
 /// Records and pictures belong together by their order alone. A time that is not before the picture's arrival, not
-/// after the one before, or older than <see cref="MaxAge"/> is none: they are out of step, or of another clock.
+/// after the one before, or older than <see cref="MaxAge"/> is none: they are out of step, or of another clock. So is
+/// one of an exposure that took longer than that.
 /// </remarks>
 internal sealed class ProcessPictureTimes(ProcessCameraOptions options) : IDisposable
 {
@@ -79,7 +80,12 @@ internal sealed class ProcessPictureTimes(ProcessCameraOptions options) : IDispo
         if (_records.StampNanoseconds is not { } stamp || stamp <= _lastStamp)
             return false;
         if (_records.ExposureMicroseconds is { } microseconds)
+        {
+            // Nothing of a record with a number that cannot be is relied on.
+            if (microseconds > MaxAge.Ticks / PictureFolderWriter.TicksPerMicrosecond)
+                return false;
             exposure = TimeSpan.FromTicks(microseconds * PictureFolderWriter.TicksPerMicrosecond);
+        }
 
         (TimeSpan now, TimeSpan monotonic) = ReadClocks(context);
         TimeSpan age = monotonic - TimeSpan.FromTicks(stamp / 100);

@@ -82,6 +82,10 @@ public sealed partial class ProcessCameraTests : IDisposable
     [InlineData("printf 'SensorTimestamp=%s\\n\\n' 900000000000000000 > \"$2\"")]            // from the future
     [InlineData("printf 'SensorTimestamp=1\\n\\n' > \"$2\"")]                                // of another clock
     [InlineData("printf 'Gain=1\\n\\n' > \"$2\"")]                                           // without the time
+    [InlineData("read up rest < /proc/uptime; printf 'ExposureTime=5000001\\nSensorTimestamp=%s000000\\n\\n' "
+        + "$(expr ${up%.*} \\* 1000 + ${up#*.} \\* 10 - 2000) > \"$2\"")]                     // for 5 s
+    [InlineData("read up rest < /proc/uptime; printf 'ExposureTime=999999999999999999\\nSensorTimestamp=%s000000\\n\\n' "
+        + "$(expr ${up%.*} \\* 1000 + ${up#*.} \\* 10 - 2000) > \"$2\"")]                     // for 31 000 years
     public void Read_ProgramThatReportsNoTime_GivesThatOfTheArrival(string report)
     {
         ProcessCameraOptions options = Options(
