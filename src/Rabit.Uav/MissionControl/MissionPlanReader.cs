@@ -35,12 +35,15 @@ internal static class MissionPlanReader
         try
         {
             using JsonDocument document = JsonDocument.Parse(json, Form);
+            JsonTexts.Demand(document.RootElement);
             return Read(document.RootElement, name, folder);
         }
         catch (JsonException e)
         {
+            if (e.LineNumber is not { } line)
+                throw new MissionPlanException(name, ["it is not JSON: " + e.Message]);
             string reason = e.Message.Split('.')[0];
-            string place = FormattableString.Invariant($"line {e.LineNumber + 1}, byte {e.BytePositionInLine + 1}");
+            string place = FormattableString.Invariant($"line {line + 1}, byte {e.BytePositionInLine + 1}");
             throw new MissionPlanException(name, [$"it is not JSON: {place}: {reason}"]);
         }
     }

@@ -211,6 +211,9 @@ public class MissionPlanTests
     [Theory]
     [InlineData("", "it is not JSON")]
     [InlineData("{\"area\": [", "it is not JSON: line 1")]
+    [InlineData("{\"camera\": {\"mode\": [1, \"\\ud800\"]}}",
+        "it is not JSON: camera.mode[1] is a text that cannot be read")]
+    [InlineData("{\"\\ud800\": 1}", "it is not JSON: (a name) is a text that cannot be read")]
     [InlineData("[]", "it must be an object")]
     [InlineData("null", "it must be an object")]
     [InlineData("{}",

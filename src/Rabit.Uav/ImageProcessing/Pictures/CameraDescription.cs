@@ -31,17 +31,7 @@ internal static class CameraDescription
     /// </exception>
     public static CameraFolder Parse(byte[] json, string file, string folder)
     {
-        JsonDocument document;
-        try
-        {
-            document = JsonDocument.Parse(WithoutMark(json));
-        }
-        catch (JsonException e)
-        {
-            throw new PictureException(file, "it is not JSON: " + e.Message, e);
-        }
-
-        using (document)
+        using (JsonDocument document = Parse(json, file))
         {
             var faults = new List<string>();
             var root = new JsonFields(document.RootElement, string.Empty, faults);
@@ -73,6 +63,22 @@ internal static class CameraDescription
                 TimeNoise = timeNoise ?? CameraFolder.DefaultTimeNoise,
                 ExifUtcOffset = exifUtcOffset,
             };
+        }
+    }
+
+    private static JsonDocument Parse(byte[] json, string file)
+    {
+        JsonDocument? document = null;
+        try
+        {
+            document = JsonDocument.Parse(WithoutMark(json));
+            JsonTexts.Demand(document.RootElement);
+            return document;
+        }
+        catch (JsonException e)
+        {
+            document?.Dispose();
+            throw new PictureException(file, "it is not JSON: " + e.Message, e);
         }
     }
 

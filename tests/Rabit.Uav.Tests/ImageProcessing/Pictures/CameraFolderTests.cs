@@ -297,6 +297,22 @@ public sealed class CameraFolderTests : IDisposable
             StringComparison.Ordinal);
     }
 
+    // A file of an editor that writes Latin-1.
+    [Theory]
+    [InlineData("\"name\": \"K\u00fcste\"", "camera.name is a text that cannot be read: the file must be UTF-8")]
+    [InlineData("\"n\u00e4me\": 1", "camera.(a name) is a text that cannot be read: the file must be UTF-8")]
+    [InlineData("\"name\": [1, \"\\udc00\"]", "camera.name[1] is a text that cannot be read: the file must be UTF-8")]
+    public void Open_TextThatIsNotUtf8_IsRefused(string field, string fault)
+    {
+        File.WriteAllBytes(
+            _folder.File(CameraFolder.DescriptionFile),
+            Encoding.GetEncoding("ISO-8859-1").GetBytes("{ \"camera\": { " + field + " } }"));
+
+        Assert.Contains(
+            fault, Assert.Throws<PictureException>(() => CameraFolder.Open(_folder.Path)).Message,
+            StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Open_File_IsTheDescriptionWhateverItsName()
     {
