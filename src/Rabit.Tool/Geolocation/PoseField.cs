@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Rabit.Tool.Geolocation;
 
 /// <summary>
-/// A number of a request or of a table of poses, and what it may be: what is far beyond any flight is a slip of the
-/// pen, and its place would be none.
+/// A number of a request or of a table of poses, and what it may be: what is far beyond any flight is a mistake, and
+/// its place would be none.
 /// </summary>
 internal readonly record struct PoseField(string Name, double Min, double Max, bool IsOptional = false)
 {

@@ -90,7 +90,7 @@ internal sealed class ErrorLines : IDisposable
         (_length, _isPassed) = (0, false);
     }
 
-    // A letter may have been cut in two.
+    // A character may have been cut in two.
     private string Text() => Encoding.UTF8.GetString(_line, 0, _length).TrimEnd('\uFFFD');
 
     private void Pass(string line)
