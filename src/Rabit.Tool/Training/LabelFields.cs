@@ -23,8 +23,11 @@ internal sealed class LabelFields
             throw new FormatException($"{file}: {what} must be an object, {{ ... }}");
         }
 
+        var names = new HashSet<string>(StringComparer.Ordinal);
         foreach (JsonProperty property in element.EnumerateObject())
         {
+            if (!names.Add(property.Name))
+                throw new FormatException($"{file}: {_prefix}{property.Name} is there twice");
             if (!known.Contains(property.Name))
                 throw new FormatException(
                     $"{file}: {_prefix}{property.Name} is unknown; there are {string.Join(", ", known)}");

@@ -48,6 +48,8 @@ public sealed class TrainTests : IDisposable
         "labels.json: pictures[0].metresPerPixel is 0; it must be 0.0001 at least")]
     [InlineData("{ \"pictures\": [{ \"file\": \"a.png\", \"metresPerPixel\": 0.0014, \"boxes\": [] }] }",
         "labels.json: pictures[0].metresPerPixel is 0.0014: 160 x 100 pixels of that size are less than one pixel of the")]
+    [InlineData("{ \"pictures\": [{ \"file\": \"a.png\", \"boxes\": [], \"boxes\": [] }] }",
+        "labels.json: pictures[0].boxes is there twice")]
     [InlineData("[1]", "the whole must be an object")]
     [InlineData("{", "it is not JSON")]
     public void Train_WrongLabels_NamesThem(string labels, string fault)
