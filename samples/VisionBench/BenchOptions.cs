@@ -46,7 +46,7 @@ internal sealed class BenchOptions
                     options.Part = args[++i];
                     break;
                 case "--html" when i + 1 < args.Length:
-                    options.HtmlFile = args[++i];
+                    options.HtmlFile = PageOf(args[++i]);
                     break;
                 case "--repeat" when i + 1 < args.Length && TryCount(args[i + 1], out options._repeats):
                     i++;
@@ -73,6 +73,13 @@ internal sealed class BenchOptions
 
     /// <summary>Of markers alone.</summary>
     public MarkerBench CreateMarkerBench() => new(_repeats);
+
+    // A page that has the name of a truth or of a picture would take its place.
+    private static string PageOf(string file)
+        => file.EndsWith(".html", StringComparison.OrdinalIgnoreCase)
+            || file.EndsWith(".htm", StringComparison.OrdinalIgnoreCase)
+            ? file
+            : throw new FormatException($"--html: {file} must end in .html; --help says more");
 
     private static bool TryCount(string text, out int count)
         => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out count) && count > 0;

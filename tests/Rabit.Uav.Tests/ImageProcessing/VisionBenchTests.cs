@@ -50,6 +50,17 @@ public sealed class VisionBenchTests : IDisposable
     }
 
     [Theory]
+    [InlineData("truth.json")]
+    [InlineData("frame.png")]
+    [InlineData("page")]
+    public void Run_PageThatIsNamedAsNone_IsRefused(string file)
+    {
+        (int exit, _, string errors) = Run(false, Stills, "--html", Path.Combine(_page, file));
+        Assert.Equal(2, exit);
+        Assert.Contains(file + " must end in .html", errors, StringComparison.Ordinal);
+    }
+
+    [Theory]
     [InlineData("--help")]
     [InlineData("-h")]
     [InlineData("--list", "--help")]
