@@ -7,8 +7,8 @@ namespace Rabit.Vision;
 
 /// <summary>
 /// Writes EXIF (CIPA DC-008-2019) as <see cref="ExifReader"/> reads it: a TIFF with one directory of the picture, one
-/// of its exposure and one of its position. Numbers are big-endian. What is no number, or out of its range, is left out:
-/// a reader would take it for another one.
+/// of its exposure and one of its position. Numbers are big-endian. What is no number, or out of its range, is left
+/// out: a reader would take it for another one.
 /// </summary>
 internal static class ExifWriter
 {

@@ -34,8 +34,8 @@ public static class PngPicture
     /// <summary>Makes the bytes of a PNG file.</summary>
     /// <param name="picture">The picture.</param>
     /// <param name="metadata">
-    /// What it says of itself, as EXIF (chunk eXIf) and XMP (chunk iTXt); null for nothing. What is no number, or out of
-    /// its range, is left out.
+    /// What it says of itself, as EXIF (chunk eXIf) and XMP (chunk iTXt); null for nothing. What is no number, or out
+    /// of its range, is left out.
     /// </param>
     public static byte[] Encode(RgbPicture picture, PhotoMetadata? metadata = null)
     {

@@ -12,7 +12,7 @@ public enum ProcessCameraFormat
 
     /// <summary>
     /// Raw pictures with black at 16 and white at 235: <c>rpicam-vid --codec yuv420</c>, <c>ffmpeg -f rawvideo
-    /// -pix_fmt yuv420p</c>.
+    /// -pix_fmt yuv420p</c>. The former pads its rows: <see cref="ProcessCameraOptions.RowBytes"/>.
     /// </summary>
     Yuv420,
 
