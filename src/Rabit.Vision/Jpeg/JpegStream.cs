@@ -19,6 +19,9 @@ namespace Rabit.Vision;
 /// </example>
 public static class JpegStream
 {
+    // Bytes may be gone over so often in search of the end of what is no whole picture. Then what it hides is left out.
+    private const long MaxPasses = 64;
+
     /// <summary>
     /// Finds the first picture. A thumbnail inside of it is part of it, not a picture of its own.
     /// </summary>
@@ -38,6 +41,7 @@ public static class JpegStream
             throw new ArgumentOutOfRangeException(nameof(count), "These bytes are not in the array.");
         length = 0;
         int end = offset + count;
+        long passed = 0;
         for (start = offset; start < end; start++)
         {
             if (data[start] != 0xFF || (start + 1 < end && data[start + 1] != JpegMarker.Start))
@@ -50,7 +54,14 @@ public static class JpegStream
             if (behind == 0)
                 return false;
             if (behind < 0)
+            {
+                // It may hide the begin of a whole one.
+                passed += ~behind - start;
+                if (passed > MaxPasses * count)
+                    start = ~behind - 1;
                 continue;
+            }
+
             length = behind - start;
             return true;
         }
@@ -58,7 +69,8 @@ public static class JpegStream
         return false;
     }
 
-    // The place behind the end; 0 if it has not come yet, and -1 if there is another picture before.
+    // The place behind the end; 0 if it has not come yet, and the complement of its place if there is another picture
+    // before.
     private static int FindEnd(byte[] data, int at, int end)
     {
         while (true)
@@ -73,7 +85,7 @@ public static class JpegStream
             if (marker == JpegMarker.End)
                 return at + 1;
             if (marker == JpegMarker.Start)
-                return -1;
+                return ~(at - 1);
             if (end - at < 3)
                 return 0;
             at += 1 + Math.Max((data[at + 1] << 8) | data[at + 2], 2);

@@ -38,6 +38,23 @@ public sealed class JpegStreamTests
             Assert.Equal(pictures[at], found[at]);
     }
 
+    // Each of them is a begin whose segments hide those behind it, up to the picture: looked at one by one, that is as
+    // much as the square of their number.
+    [Fact]
+    public void TryFind_BeginsWithinSegmentsOfOthers_TakesNoLongerThanTheirBytes()
+    {
+        byte[] whole = JpegFiles.Read("444.jpg");
+        byte[] junk = [.. Enumerable.Repeat<byte[]>([0xFF, 0xD8, 0xFF, 0xE1, 0, 10], 200_000).SelectMany(b => b)];
+        byte[] stream = [.. junk, .. new byte[12], .. whole];
+        System.TimeSpan begin = ThreadTime.SoFar;
+
+        Assert.True(JpegStream.TryFind(stream, 0, stream.Length, out int start, out int length));
+
+        System.TimeSpan spent = ThreadTime.SoFar - begin;
+        Assert.Equal((junk.Length + 12, whole.Length), (start, length));
+        Assert.True(spent < System.TimeSpan.FromSeconds(5), $"{spent}");
+    }
+
     [Fact]
     public void TryFind_CutPictureBeforeAWholeOne_GivesTheWholeOne()
     {
