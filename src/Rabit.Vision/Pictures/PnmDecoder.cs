@@ -36,6 +36,11 @@ internal sealed class PnmDecoder
             throw new PictureException(name, $"its largest value is {_max}; only 255 is read");
         if (_max is < 1 or > MaxValue)
             throw new PictureException(name, $"its largest value is {_max}; it must be 1 to {MaxValue}");
+
+        // One white space, for which a comment with its end of line may stand, as for Netpbm's own programs.
+        bool isComment = file[at] == '#';
+        while (isComment && at < length && file[at] != '\n')
+            at++;
         _pixelsAt = at + 1;
         int bytesPerPixel = !_isGrey ? 3 : _max > MaxByte ? 2 : 1;
         if (length - _pixelsAt < Width * Height * bytesPerPixel)

@@ -52,6 +52,7 @@ public sealed class PictureFileTests : IDisposable
     [InlineData("P6\n2 1\n255\n")]
     [InlineData("P6 2 1 255 ")]
     [InlineData("P6\n# a camera\n2 # columns\n\t1\r\n255\n")]
+    [InlineData("P6\n2 1\n255# 8 bits\n")]
     public void Load_PpmHeaders_AreUnderstood(string header)
     {
         byte[] file = Encoding.ASCII.GetBytes(header).Concat(new byte[] { 1, 2, 3, 10, 32, 35 }).ToArray();
@@ -71,6 +72,7 @@ public sealed class PictureFileTests : IDisposable
     [InlineData("P62 1\n255\n      ", "header")]
     [InlineData("P6\n2 1\n255\n12345", "cut off")]
     [InlineData("P6\n2 1\n255", "header")]
+    [InlineData("P6\n2 1\n255# without an end of line", "cut off")]
     [InlineData("P6\n# no end", "header")]
     [InlineData("P6", "header")]
     [InlineData("", "empty")]
