@@ -120,7 +120,7 @@ internal sealed record Mutant(int Id, string File, int Line, string What)
     public string? Explorations => File switch
     {
         _ when File.Contains("Loan", StringComparison.Ordinal) => "Loan",
-        _ when Regex.IsMatch(File, "^Queues/.*(Ring|Produc)") => "Ring|QueueClose|LoneSender|BatchClose",
+        _ when Regex.IsMatch(File, "^Queues/(MessageQueue|.*(Ring|Produc))") => "Ring|QueueClose|LoneSender|BatchClose",
         _ when Regex.IsMatch(File, "^Messages/(Slot|Spare|Latest|Subscription)") => "Slot|Subscription",
         _ when File.Contains("StageMark", StringComparison.Ordinal) => "Stage",
         _ when File.StartsWith("WakeUp/", StringComparison.Ordinal) => "WakeUp|Reduced|Loan",
