@@ -58,10 +58,11 @@ public sealed class InterruptTests : InterruptingTests
     public void Interrupt_InStartupAndShutdown_EndsNothing(WaitEngine engine)
     {
         using TestRun run = NewRun(engine);
-        ScriptedManager manager = run.Add("m");
-        manager.OnStartup = manager.OnShutdown = () => Thread.CurrentThread.Interrupt();
+        var manager = new InterruptedAtItsEnds();
+        run.Reactor.Add(manager);
 
-        run.StartAndSettle();
+        run.Start();
+        run.Until(() => manager.Units >= 1, "it starts up and works");
         ReactorResult result = run.Finish();
 
         Assert.Equal(ManagerOutcome.Ended, result.Managers[0].Outcome);
@@ -164,5 +165,19 @@ public sealed class InterruptTests : InterruptingTests
         }
 
         protected override void Shutdown() => Interlocked.Increment(ref _shutdowns);
+    }
+
+    /// <summary>Interrupts its own thread as the last thing in its start-up and its shutdown; takes no lock.</summary>
+    private sealed class InterruptedAtItsEnds() : RabitManager("interrupted")
+    {
+        private int _units;
+
+        public int Units => Volatile.Read(ref _units);
+
+        protected override void Startup() => Thread.CurrentThread.Interrupt();
+
+        protected override void ExecuteUnitOfWork() => Interlocked.Increment(ref _units);
+
+        protected override void Shutdown() => Thread.CurrentThread.Interrupt();
     }
 }
