@@ -20,7 +20,7 @@ internal static class GroupSummary
     {
         MissionScore score = vehicles.Select(v => TargetScoring.Score(flight.Truth, v.Record, null))
             .OrderByDescending(s => s.Found).ThenBy(s => s.FalseTracks.Count)
-            .ThenByDescending(s => s.Targets.Count(t => t.IsRejected)).First();
+            .ThenByDescending(s => s.RejectedTracks.Count + s.Targets.Count(t => t.IsRejected)).First();
         TruePose[] flown = flight.Group.Vehicles.SelectMany(v => v.World.Truth.Path.Where(p => p.Position.Down < 0))
             .ToArray();
         GroupVehicleSummary[] all = vehicles

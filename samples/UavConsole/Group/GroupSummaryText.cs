@@ -27,7 +27,7 @@ internal static class GroupSummaryText
         output.WriteLine(string.Format(
             CultureInfo.InvariantCulture, "{0} of {1} targets found, {2} false{3}{4}", score.Found,
             score.Targets.Count, score.FalseTracks.Count,
-            FlightText.IdentitySwitches(score),
+            FlightText.RejectedTracks(score) + FlightText.IdentitySwitches(score),
             score.Found == 0 ? string.Empty : $"; {FlightText.Number(score.RmseMetres, "0.0")} m RMS"));
         foreach (ValidationTask task in summary.Validations)
             output.WriteLine(Of(task, summary.PositionOf(task)));

@@ -84,7 +84,7 @@ public sealed class GroupHtmlReport
             _shell.Tile(
                 "targets found", $"{N(score.Found)} / {N(score.Targets.Count)}",
                 (score.FalseTracks.Count == 0 ? "no false track" : $"{N(score.FalseTracks.Count)} false")
-                    + FlightText.IdentitySwitches(score));
+                    + FlightText.RejectedTracks(score) + FlightText.IdentitySwitches(score));
             _shell.Tile(
                 "position error",
                 double.IsNaN(score.RmseMetres) ? "none" : $"{FlightText.Number(score.RmseMetres, "0.00")} m",

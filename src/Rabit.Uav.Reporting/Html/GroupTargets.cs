@@ -116,7 +116,7 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
         page.Element(
             "p",
             target.IsRejected
-                ? "It was seen, and an operator rejected its track."
+                ? $"It was seen, and {FlightText.RejectedBy(target)} rejected its track."
                 : "No vehicle has a confirmed track of this class within 10 m.",
             "class", "note").Close();
     }

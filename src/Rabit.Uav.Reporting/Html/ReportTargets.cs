@@ -42,7 +42,7 @@ internal sealed class ReportTargets(PageWriter page, FlightSummary data)
         page.Element(
             "p",
             target.IsRejected
-                ? "It was seen, and the operator rejected its track."
+                ? $"It was seen, and {FlightText.RejectedBy(target)} rejected its track."
                 : "There is no confirmed track of this class within 10 m.",
             "class", "note");
         page.Open("dl");

@@ -20,6 +20,13 @@ public sealed class MissionScore
     /// </summary>
     public IReadOnlyList<TargetTrack> FalseTracks { get; init; } = [];
 
+    /// <summary>
+    /// Tracks of no target that another vehicle rejected when it was asked to validate them: they are not in
+    /// <see cref="FalseTracks"/>, since the group does not count them as targets. They stay confirmed tracks of the
+    /// vehicle that found them.
+    /// </summary>
+    public IReadOnlyList<TargetTrack> RejectedTracks { get; init; } = [];
+
     /// <summary>How often a track of a target that moves went over to another target of its class.</summary>
     public int IdentitySwitches { get; init; }
 

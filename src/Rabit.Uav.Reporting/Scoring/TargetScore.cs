@@ -28,8 +28,15 @@ public sealed class TargetScore
     /// <summary>Whether there is a track.</summary>
     public bool IsFound => Track is not null;
 
-    /// <summary>Whether it was not found because the operator rejected its track.</summary>
+    /// <summary>
+    /// Whether it was not found because its track was rejected, by the operator or by another vehicle.
+    /// </summary>
     public bool IsRejected { get; init; }
+
+    /// <summary>
+    /// Whether another vehicle rejected its track, which was asked to validate it, and not the operator.
+    /// </summary>
+    public bool IsRejectedByVehicle { get; init; }
 
     /// <summary>Horizontal distance of the track from the truth, metres; 0 where it was not found.</summary>
     public double ErrorMetres => Math.Sqrt((ErrorNorthMetres * ErrorNorthMetres) + (ErrorEastMetres * ErrorEastMetres));

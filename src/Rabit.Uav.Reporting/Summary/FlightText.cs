@@ -92,7 +92,22 @@ public static class FlightText
         };
     }
 
-    /// <summary>What became of a target, in a word: "found", "rejected" by the operator, or "missed".</summary>
+    /// <summary>Among figures: ", 1 rejected by the vehicle that validated it"; empty for none.</summary>
+    /// <param name="score">The tracks and the truth.</param>
+    /// <exception cref="ArgumentNullException">It is null.</exception>
+    public static string RejectedTracks(MissionScore score)
+    {
+        if (score is null)
+            throw new ArgumentNullException(nameof(score));
+        return score.RejectedTracks.Count == 0
+            ? string.Empty
+            : $", {Number((long)score.RejectedTracks.Count)} rejected by the vehicle that validated it";
+    }
+
+    /// <summary>
+    /// What became of a target, in a word: "found", "rejected" by the operator or the vehicle that validated it, or
+    /// "missed".
+    /// </summary>
     /// <param name="target">The target.</param>
     internal static string ResultOf(TargetScore target)
         => target.IsFound ? "found" : target.IsRejected ? "rejected" : "missed";
@@ -104,8 +119,13 @@ public static class FlightText
     {
         if (missed is null)
             throw new ArgumentNullException(nameof(missed));
-        return missed.IsRejected ? "was seen, and rejected by the operator" : "was not found";
+        return missed.IsRejected ? "was seen, and rejected by " + RejectedBy(missed) : "was not found";
     }
+
+    /// <summary>Who rejected the track of a target, for people.</summary>
+    /// <param name="target">With <see cref="TargetScore.IsRejected"/>.</param>
+    internal static string RejectedBy(TargetScore target)
+        => target.IsRejectedByVehicle ? "the vehicle that validated it" : "the operator";
 
     /// <summary>The short name of a phase.</summary>
     /// <param name="phase">The phase.</param>

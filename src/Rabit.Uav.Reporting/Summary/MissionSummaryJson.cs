@@ -97,6 +97,10 @@ internal static class MissionSummaryJson
         foreach (TargetTrack track in score.FalseTracks)
             json.WriteNumberValue(track.Id);
         json.WriteEndArray();
+        json.WriteStartArray("rejectedTrackIds");
+        foreach (TargetTrack track in score.RejectedTracks)
+            json.WriteNumberValue(track.Id);
+        json.WriteEndArray();
         json.WriteEndObject();
 
         json.WriteStartArray("targets");

@@ -82,7 +82,8 @@ internal sealed class MissionSummaryText(TextWriter output, FlightSummary summar
     private void WriteScore(MissionScore score)
     {
         Line($"targets: {FlightText.Number(score.Found)} of {FlightText.Number(score.Targets.Count)} found, "
-            + $"{FlightText.Number(score.FalseTracks.Count)} false{FlightText.IdentitySwitches(score)}; "
+            + $"{FlightText.Number(score.FalseTracks.Count)} false{FlightText.RejectedTracks(score)}"
+            + $"{FlightText.IdentitySwitches(score)}; "
             + (double.IsNaN(score.RmseMetres)
                 ? string.Empty
                 : $"error {FlightText.Number(score.RmseMetres, "0.00")} m RMS; ")

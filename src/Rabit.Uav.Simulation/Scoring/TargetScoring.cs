@@ -25,6 +25,7 @@ public static class TargetScoring
     /// <summary>
     /// Scores a mission. A track of a class that moves which was on one target and then on another, as targets of one
     /// class that are out of sight for a while are exchanged, is no false one: it counts as an identity switch.
+    /// One that another vehicle rejected when it was asked to validate it counts as what the operator rejected.
     /// </summary>
     /// <param name="truth">The real targets.</param>
     /// <param name="record">The flight.</param>
@@ -36,7 +37,8 @@ public static class TargetScoring
         if (record is null)
             throw new ArgumentNullException(nameof(record));
         return Score(
-            truth, record.Tracks.Tracks, record.MovingTrackPaths, DistanceFromHome(record.Mission.Plan, trueEnd));
+            truth, record.Tracks.Tracks, record.MovingTrackPaths, new GroupVerdicts(record.Group.Validations),
+            DistanceFromHome(record.Mission.Plan, trueEnd));
     }
 
     /// <summary>Scores tracks, by where they are at the end.</summary>
@@ -46,16 +48,17 @@ public static class TargetScoring
     /// others are ignored.
     /// </param>
     public static MissionScore Score(TargetTruth truth, IEnumerable<TargetTrack> tracks)
-        => Score(truth, tracks, [], null);
+        => Score(truth, tracks, [], new GroupVerdicts([]), null);
 
     private static MissionScore Score(
-        TargetTruth truth, IEnumerable<TargetTrack> tracks, IReadOnlyList<TrackPath> paths,
+        TargetTruth truth, IEnumerable<TargetTrack> tracks, IReadOnlyList<TrackPath> paths, GroupVerdicts verdicts,
         double? distanceFromHomeMetres)
     {
         if (truth is null)
             throw new ArgumentNullException(nameof(truth));
         TargetTrack[] all = (tracks ?? throw new ArgumentNullException(nameof(tracks))).OrderBy(t => t.Id).ToArray();
-        TargetTrack[] confirmed = all.Where(IsFound).ToArray();
+        TargetTrack[] rejectedByVehicle = all.Where(t => IsFound(t) && verdicts.AreRejection(t)).ToArray();
+        TargetTrack[] confirmed = all.Where(t => IsFound(t) && !rejectedByVehicle.Contains(t)).ToArray();
         var tracksOf = truth.Targets.Select(_ => new List<TargetTrack>()).ToArray();
         var isTaken = new HashSet<int>();
         foreach ((int target, TargetTrack track, _) in Pairs(truth, confirmed))
@@ -68,14 +71,19 @@ public static class TargetScoring
         var histories = new TrackHistories(truth, confirmed.Where(t => t.Motion != TargetMotion.Standing), paths);
 
         // Each is of the nearest one.
-        int[] rejected = Pairs(truth, all.Where(t => t.State == TrackState.Rejected).ToArray())
-            .GroupBy(p => p.Track.Id).Select(g => g.First().Target).ToArray();
+        TargetTrack[] rejected = all.Where(t => t.State == TrackState.Rejected).Concat(rejectedByVehicle).ToArray();
+        (int Target, TargetTrack Track)[] ofTargets = Pairs(truth, rejected)
+            .GroupBy(p => p.Track.Id).Select(g => (g.First().Target, g.First().Track)).ToArray();
         return new MissionScore
         {
             IdentitySwitches = histories.IdentitySwitches,
             Targets = truth.Targets
-                .Select((t, index) => Of(t, tracksOf[index].FirstOrDefault(), rejected.Contains(index))).ToArray(),
+                .Select((t, index) => Of(
+                    t, tracksOf[index].FirstOrDefault(),
+                    ofTargets.Where(r => r.Target == index).Select(r => r.Track).FirstOrDefault())).ToArray(),
             FalseTracks = confirmed.Where(t => !isTaken.Contains(t.Id) && !histories.IsOfTargets(t)).ToArray(),
+            RejectedTracks = rejectedByVehicle
+                .Where(t => !Array.Exists(ofTargets, r => r.Track == t && tracksOf[r.Target].Count == 0)).ToArray(),
             DistanceFromHomeMetres = distanceFromHomeMetres,
         };
     }
@@ -100,7 +108,7 @@ public static class TargetScoring
         => track.State == TrackState.Confirmed
             || (track.State == TrackState.Lost && track.Motion != TargetMotion.Standing);
 
-    private static TargetScore Of(TruthTarget target, TargetTrack? track, bool isRejected = false)
+    private static TargetScore Of(TruthTarget target, TargetTrack? track, TargetTrack? rejected = null)
     {
         // Where the target was at the time of the track. Both on the ellipsoid: a difference in height is no error.
         GeodeticPosition position = track is null ? target.Position : target.PositionAt(track.Time);
@@ -113,7 +121,8 @@ public static class TargetScoring
             Class = target.Class,
             Position = position,
             Track = track,
-            IsRejected = track is null && isRejected,
+            IsRejected = track is null && rejected is not null,
+            IsRejectedByVehicle = track is null && rejected is { State: not TrackState.Rejected },
             ErrorNorthMetres = error.North,
             ErrorEastMetres = error.East,
         };

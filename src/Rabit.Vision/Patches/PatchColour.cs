@@ -52,6 +52,11 @@ internal sealed class PatchColour
     // bright by the rest of the picture.
     private const double MaxPale = 1.3;
 
+    // What is white on what has less light than any usual ground has, against that of the picture, is a part of a
+    // print, as the cells of a marker: from where on that counts, and one standard deviation. Asphalt has 0.5 and more.
+    private const double BlackGround = 0.44;
+    private const double BlackGroundSigma = 0.015;
+
     // Least channel of a white, level.
     private const int MinWhite = 215;
 
@@ -160,8 +165,11 @@ internal sealed class PatchColour
             : Math.Min(ground, 4 * level) / Math.Max(1, inside);
         double off = Math.Log(ratio / Contrast);
         double weak = Math.Max(0, -off) / ContrastSigma;
+        if (!IsBright)
+            return (weak * weak) + ChromaCost(shape);
+        double black = Math.Max(0, BlackGround - (ground / (4.0 * level))) / BlackGroundSigma;
         double bright = IsWhite ? 1 + (TintByBrightness * Clamp(off, 0, MaxBrighter)) : 1;
-        return (weak * weak) + (IsBright ? TintCost(shape, light) / (bright * bright) : ChromaCost(shape));
+        return (weak * weak) + (black * black) + (TintCost(shape, light) / (bright * bright));
     }
 
     /// <summary>

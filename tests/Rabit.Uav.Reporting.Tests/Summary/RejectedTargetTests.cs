@@ -50,7 +50,23 @@ public sealed class RejectedTargetTests
         Assert.Contains("T5: magenta, missed", page.ToString());
     }
 
-    private static FlightSummary Rejected(FlightRecord record)
+    [Fact]
+    public void Texts_AnotherVehicleRejected_NameTheVehicleThatValidated()
+    {
+        FlightSummary flight = Rejected(MadeUpFlight.Record(finds: 4), isByVehicle: true);
+        using var page = new StringWriter();
+        HtmlReport.Write(page, flight);
+        Assert.Contains("the vehicle that validated it rejected its track", page.ToString());
+        Assert.Contains(", 1 rejected by the vehicle that validated it", page.ToString());
+        using var text = new StringWriter();
+        SummaryText.Write(text, flight);
+        Assert.Contains("0 false, 1 rejected by the vehicle that validated it", text.ToString());
+        JsonElement mission = JsonDocument.Parse(ExportedText.Text(SummaryJson.Write, flight)).RootElement
+            .GetProperty("mission");
+        Assert.Equal(1, mission.GetProperty("score").GetProperty("rejectedTrackIds").GetArrayLength());
+    }
+
+    private static FlightSummary Rejected(FlightRecord record, bool isByVehicle = false)
     {
         MissionScore score = MadeUpTargets.Score(record);
         TargetScore first = score.Targets[0];
@@ -63,9 +79,11 @@ public sealed class RejectedTargetTests
                     new TargetScore
                     {
                         Name = first.Name, Class = first.Class, Position = first.Position, IsRejected = true,
+                        IsRejectedByVehicle = isByVehicle,
                     },
                     .. score.Targets.Skip(1),
                 ],
+                RejectedTracks = isByVehicle ? [first.Track!] : [],
             }),
         };
     }

@@ -70,6 +70,49 @@ public sealed class TargetScoringTests
     }
 
     [Fact]
+    public void Score_TracksThatAnotherVehicleRejected_AreRejectedAndNeitherFoundNorFalse()
+    {
+        MissionScore score = ScoreInGroup(
+            [Track(1, DefaultTargetClasses.Red, 1, 0), Track(2, DefaultTargetClasses.Red, 50, 0)],
+            Task(2, ValidationResult.Rejected, 0), Task(3, ValidationResult.Rejected, 52));
+
+        Assert.Equal((0, 0), (score.Found, score.FalseTracks.Count));
+        Assert.Equal([2], score.RejectedTracks.Select(t => t.Id));
+        Assert.Equal([true, false], score.Targets.Select(t => t.IsRejectedByVehicle));
+        Assert.Equal(
+            ["was seen, and rejected by the vehicle that validated it", "was not found"],
+            score.Targets.Select(FlightText.Missed));
+    }
+
+    [Theory]
+    [InlineData(ValidationResult.Unknown, 2, "red", 0)]
+    [InlineData(ValidationResult.Confirmed, 2, "red", 0)]
+    [InlineData(ValidationResult.Rejected, 1, "red", 0)]   // by the operator: the track says so
+    [InlineData(ValidationResult.Rejected, 2, "blue", 0)]
+    [InlineData(ValidationResult.Rejected, 2, "red", 10.1)]
+    public void Score_NoOtherVehicleRejectedTheTrack_IsFalse(
+        ValidationResult result, byte validator, string ofClass, double metresAway)
+    {
+        MissionScore score = ScoreInGroup(
+            [Track(1, DefaultTargetClasses.Red, 50, 0)],
+            Task(validator, result, 50 + metresAway) with { Class = new TargetClassName(ofClass) });
+
+        Assert.Equal([1], score.FalseTracks.Select(t => t.Id));
+        Assert.Empty(score.RejectedTracks);
+    }
+
+    [Fact]
+    public void Score_RejectedTrackBesideAConfirmedOne_EachHasItsOwnResult()
+    {
+        MissionScore score = ScoreInGroup(
+            [Track(1, DefaultTargetClasses.Red, 0, 0), Track(2, DefaultTargetClasses.Red, 8, 0)],
+            Task(2, ValidationResult.Rejected, 7), Task(2, ValidationResult.Confirmed, 1));
+
+        Assert.Equal(1, score.Targets[0].Track!.Id);
+        Assert.Equal([2], score.RejectedTracks.Select(t => t.Id));
+    }
+
+    [Fact]
     public void Score_TwoTracksAtOneTarget_TheNearerOneIsItsAndTheOtherFalse()
     {
         MissionScore score = Score(
@@ -194,6 +237,26 @@ public sealed class TargetScoringTests
             MovingTrackPaths = [.. walks.Select(w => w.Path)],
         },
         null);
+
+    private static MissionScore ScoreInGroup(TargetTrack[] tracks, params ValidationTask[] tasks)
+        => TargetScoring.Score(
+            new TargetTruth(Home, TwoReds()),
+            new FlightRecord
+            {
+                Tracks = new TrackList(TimeSpan.Zero, [.. tracks]),
+                Group = new GroupStatus { Validations = [.. tasks] },
+            },
+            null);
+
+    private static ValidationTask Task(byte validator, ValidationResult result, double north) => new()
+    {
+        Finder = 1,
+        State = ValidationState.Closed,
+        Class = DefaultTargetClasses.Red,
+        Position = Frame.ToGeodetic(new NedPosition(north, 0, 0)),
+        Validator = validator,
+        Result = result,
+    };
 
     private static TruthTarget[] TwoReds()
         => [Target(DefaultTargetClasses.Red, 0, 0), Target(DefaultTargetClasses.Red, 100, 0)];
