@@ -18,6 +18,9 @@ public sealed partial class CommunicationsManager
     // another of the class comes as soon as one is sent.
     private static readonly TimeSpan RetryDelay = TimeSpan.FromTicks(20 * TimeSpan.TicksPerMillisecond);
 
+    // While no link is open towards those that it is for.
+    private static readonly TimeSpan NoLinkDelay = TimeSpan.FromTicks(250 * TimeSpan.TicksPerMillisecond);
+
     private readonly VehicleMessageChannel[] _channels;
     private readonly Dictionary<int, VehicleMessageChannel> _channelsByType = [];
     private readonly MessagePublisher<VehicleMessageStatus>? _vehicleMessageStatus;
@@ -162,7 +165,7 @@ public sealed partial class CommunicationsManager
                 wait = next;
         }
 
-        return new LinkRoom(wanted, free) { Wait = wait ?? TimeSpan.Zero };
+        return new LinkRoom(wanted, free) { Wait = wait ?? (wanted == 0 ? NoLinkDelay : TimeSpan.Zero) };
     }
 
     /// <returns>Whether it is part of the exchange, which does not concern the autopilot.</returns>

@@ -16,14 +16,16 @@ public sealed class GroupFollowTests(ITestOutputHelper output)
     private static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(1.5);
 
     [Theory, Trait("Category", "Long")]
-    [InlineData(3)]
-    [InlineData(4)]
-    [InlineData(5)]
-    [InlineData(6)]
-    public void Follower_BatteryIsLow_IsRelievedByTheOtherWithTheTargetInView(long seed)
+    [InlineData(3, SimulatedAutopilot.ArduPilot)]
+    [InlineData(4, SimulatedAutopilot.ArduPilot)]
+    [InlineData(5, SimulatedAutopilot.ArduPilot)]
+    [InlineData(6, SimulatedAutopilot.ArduPilot)]
+    [InlineData(3, SimulatedAutopilot.Px4)]
+    [InlineData(4, SimulatedAutopilot.Px4)]
+    public void Follower_BatteryIsLow_IsRelievedByTheOtherWithTheTargetInView(long seed, SimulatedAutopilot autopilot)
     {
-        (int first, TimeSpan at) = FirstFollower(seed);
-        using GroupFlight flight = Open(seed, (first, new ScriptedFault
+        (int first, TimeSpan at) = FirstFollower(seed, autopilot);
+        using GroupFlight flight = Open(seed, autopilot, (first, new ScriptedFault
         {
             Kind = ScriptedFaultKind.BatteryTo,
             At = at + TimeSpan.FromSeconds(20),
@@ -46,9 +48,9 @@ public sealed class GroupFollowTests(ITestOutputHelper output)
             flight.Mission(i).Result.Outcome == MissionOutcome.Accomplished, flight.Log));
     }
 
-    private static (int Vehicle, TimeSpan At) FirstFollower(long seed)
+    private static (int Vehicle, TimeSpan At) FirstFollower(long seed, SimulatedAutopilot autopilot)
     {
-        using GroupFlight flight = Open(seed);
+        using GroupFlight flight = Open(seed, autopilot);
         Assert.True(flight.RunUntil(() => Vehicles.Any(i => IsFollowing(flight, i)), 400), flight.Log);
         return (Vehicles.First(i => IsFollowing(flight, i)), flight.Group.Now);
     }
@@ -61,11 +63,13 @@ public sealed class GroupFollowTests(ITestOutputHelper output)
     private static bool IsFollowing(GroupFlight flight, int vehicle)
         => flight.Mission(vehicle).Text?.StartsWith("following track ", StringComparison.Ordinal) == true;
 
-    private static GroupFlight Open(long seed, params (int Vehicle, ScriptedFault Fault)[] faults)
+    private static GroupFlight Open(
+        long seed, SimulatedAutopilot autopilot, params (int Vehicle, ScriptedFault Fault)[] faults)
     {
         var world = new SimulationOptions
         {
             Seed = seed,
+            Autopilot = autopilot,
             TargetCount = 1,
             DistractorCount = 3,
             Motions = [SimulatedMotion.Vehicle],

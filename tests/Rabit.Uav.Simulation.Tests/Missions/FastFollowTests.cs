@@ -81,9 +81,21 @@ public sealed class FastFollowTests(ITestOutputHelper output)
     {
         FastFollowFigures[] all = FlyAll(
             SimulatedGimbal.FollowsHeading, SimulatedMotion.SteadyVehicle, isPointed: true, seeds: 2 * Seeds,
-            centimetresPerSecond2: 400);
+            change: o => o.Parameters = new Dictionary<string, double> { ["WPNAV_ACCEL"] = 400 });
         CheckInView(all);
         CheckTracks(all, 2 * Seeds);
+    }
+
+    [Theory, Trait("Category", "Long")]
+    [InlineData(SimulatedMotion.Vehicle)]
+    [InlineData(SimulatedMotion.SteadyVehicle)]
+    public void Follow_Px4GimbalPointed_IsInViewAndItsTrackIsHonest(SimulatedMotion motion)
+    {
+        FastFollowFigures[] all = FlyAll(
+            SimulatedGimbal.FollowsHeading, motion, isPointed: true,
+            change: o => o.Autopilot = SimulatedAutopilot.Px4);
+        CheckInView(all);
+        CheckTracks(all, MinCaptured);
     }
 
     // In each flight, from when it was confirmed: captured or not.
@@ -115,10 +127,10 @@ public sealed class FastFollowTests(ITestOutputHelper output)
 
     private FastFollowFigures[] FlyAll(
         SimulatedGimbal gimbal, SimulatedMotion motion, bool isPointed = false, int seeds = Seeds,
-        double? centimetresPerSecond2 = null)
+        Action<SimulationOptions>? change = null)
     {
         FastFollowFigures[] flights = Enumerable.Range(1, seeds)
-            .Select(seed => Fly(seed, gimbal, motion, isPointed, centimetresPerSecond2)).ToArray();
+            .Select(seed => Fly(seed, gimbal, motion, isPointed, change)).ToArray();
         FastFollowFigures[] all = Captured(flights);
         double squares = all.Sum(f => f.Errors.Sum(e => e.SquaredMetres));
         Print("all", all.Sum(f => f.InView) / (double)all.Sum(f => f.Samples),
@@ -128,7 +140,7 @@ public sealed class FastFollowTests(ITestOutputHelper output)
     }
 
     private FastFollowFigures Fly(
-        int seed, SimulatedGimbal gimbal, SimulatedMotion motion, bool isPointed, double? centimetresPerSecond2)
+        int seed, SimulatedGimbal gimbal, SimulatedMotion motion, bool isPointed, Action<SimulationOptions>? change)
     {
         var options = new SimulationOptions
         {
@@ -138,8 +150,7 @@ public sealed class FastFollowTests(ITestOutputHelper output)
             Motions = [motion],
             Camera = new SimulatedCameraOptions { Gimbal = gimbal },
         };
-        if (centimetresPerSecond2 is { } acceleration)
-            options.Parameters = new Dictionary<string, double> { ["WPNAV_ACCEL"] = acceleration };
+        change?.Invoke(options);
         options.TakePlacesFrom(SearchFlight.BundledPlan());
         GimbalFrame frame = gimbal == SimulatedGimbal.AgainstBody ? GimbalFrame.Body : GimbalFrame.Heading;
         using var flight = new SearchFlight(

@@ -72,6 +72,21 @@ public sealed class VehicleMessageTests
         Assert.InRange(runs, 1, 140);
     }
 
+    // A link that opens sends within that time too.
+    [Fact]
+    public void Message_NoLinkIsOpen_IsWaitedForWithoutPolling()
+    {
+        using var rig = new VehicleMessageRig(links: 1, settings: new LinkSettings { IsReceiveOnly = true });
+        for (int picture = 1; picture <= 10; picture++)
+        {
+            rig.Send(Report(picture));
+            rig.Rig.Run(TimeSpan.FromSeconds(0.7));
+        }
+
+        long runs = rig.Rig.Finish().Managers.Single(m => m.Name == CommunicationsManager.ManagerName).Runs;
+        Assert.InRange(runs, 1, 120);
+    }
+
     [Fact]
     public void Message_SourceInTheContent_IsIgnored()
     {
