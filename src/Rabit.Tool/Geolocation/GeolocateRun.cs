@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using Rabit.Files;
 using Rabit.Vision;
 
 namespace Rabit.Tool.Geolocation;
@@ -17,6 +18,8 @@ internal static class GeolocateRun
         string?[] files = [options.Camera, options.Request, options.Telemetry, options.Terrain, options.GeoJson];
         if (Array.Find(files, Directory.Exists) is { } folder)
             throw new ToolException($"{folder}: that is a folder.");
+        foreach (string? read in files)
+            CheckIsFile(read, options);
         Request request = Read(options, input);
         if (request.Warning is { } warning)
             Warn(warning, errors);
@@ -24,6 +27,16 @@ internal static class GeolocateRun
         if (options.GeoJson is { } file)
             WriteGeoJson(file, pixels);
         return Answer.Write(pixels, request.IsList, options.IsJson, output);
+    }
+
+    // Who opens a pipe waits for its writer, and a device may have no end. What is only written may be a device.
+    private static void CheckIsFile(string? file, GeolocateOptions options)
+    {
+        if (string.IsNullOrEmpty(file) || SpecialFile.FindKind(file) is not { } kind
+            || (file == options.GeoJson && kind == "a device"))
+            return;
+        string hint = file == options.Request ? "; - reads the standard input." : ".";
+        throw new ToolException($"{file}: it is {kind}, not a file{hint}");
     }
 
     private static void Warn(string warning, TextWriter errors)

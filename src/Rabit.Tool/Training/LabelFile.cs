@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using Rabit.Files;
 using Rabit.Vision;
 
 namespace Rabit.Tool.Training;
@@ -22,6 +23,8 @@ internal sealed class LabelFile
     /// <exception cref="FormatException">It cannot be read, or is none.</exception>
     public static LabelFile Load(string path)
     {
+        if (SpecialFile.FindKind(path) is { } kind)
+            throw new FormatException($"{path}: it is {kind}, not a file");
         string text;
         try
         {

@@ -2,6 +2,7 @@ using System;
 using System.Globalization;
 using System.IO;
 using System.Threading;
+using Rabit.Files;
 using Rabit.Vision;
 
 namespace Rabit.Tool.Training;
@@ -121,6 +122,10 @@ internal static class TrainRun
             throw new FormatException($"{output}: there is no folder {folder}");
         if (Directory.Exists(output))
             throw new FormatException($"{output}: that is a folder");
+
+        // A pipe would wait for its reader when all the work is done.
+        if (SpecialFile.FindKind(output) is { } kind && kind != "a device")
+            throw new FormatException($"{output}: it is {kind}, not a file");
     }
 
     private static void CheckNotRead(string output, string input)

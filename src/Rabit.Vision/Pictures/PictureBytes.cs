@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using Rabit.Files;
 
 namespace Rabit.Vision;
 

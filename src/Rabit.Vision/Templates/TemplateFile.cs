@@ -4,6 +4,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text;
+using Rabit.Files;
 
 namespace Rabit.Vision;
 
@@ -21,6 +22,8 @@ internal static class TemplateFile
     public static ObjectTemplate Load(string path)
     {
         byte[] bytes;
+        if (SpecialFile.FindKind(path) is { } kind)
+            throw new PictureException(path, $"it is {kind}, not a file");
         try
         {
             using FileStream file = File.OpenRead(path);

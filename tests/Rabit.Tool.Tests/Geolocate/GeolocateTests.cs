@@ -224,6 +224,31 @@ public sealed class GeolocateTests : IDisposable
         Assert.Contains("bad.asc: ", _run.Errors);
     }
 
+    [Theory]
+    [InlineData("", "pipe", "request.json")]
+    [InlineData("; - reads the standard input", "camera.json", "pipe")]
+    [InlineData("", "pipe.jpg", "--pixel", "1,1")]
+    [InlineData("", "camera.json", "request.json", "--telemetry", "pipe.tlog", "--time", "1")]
+    [InlineData("", "camera.json", "request.json", "--telemetry", "pipe", "--time", "1")]
+    [InlineData("", "camera.json", "request.json", "--terrain", "pipe")]
+    [InlineData("", "camera.json", "request.json", "--geojson", "pipe")]
+    public void BadInput_NamedPipe_IsRefusedAndNotWaitedFor(string hint, params string[] arguments)
+    {
+        if (!Directory.Exists("/proc/self"))
+            return;   // named pipes in folders are of Unix, and told apart on Linux
+        _run.File("camera.json", GeolocateFiles.Camera);
+        _run.File("request.json", GeolocateFiles.Pose);
+        string pipe = _run.PathOf(Array.Find(arguments, a => a.StartsWith("pipe", StringComparison.Ordinal))!);
+        Assert.Equal(0, ToolProcess.RunInShell($"mkfifo \"{pipe}\"").ExitCode);
+        string[] inFolder = [.. arguments.Select(
+            a => a.Contains("json") && !a.StartsWith("--", StringComparison.Ordinal) ? _run.PathOf(a)
+                : a.StartsWith("pipe", StringComparison.Ordinal) ? pipe : a)];
+
+        Assert.Equal(2, _run.Run(inFolder));
+
+        Assert.Equal($"{pipe}: it is a pipe, not a file{hint}.", _run.Errors.Trim());
+    }
+
     [Fact]
     public void Help_NamesEveryFieldOfAPose()
     {

@@ -117,6 +117,23 @@ public sealed class TrainTests : IDisposable
         Assert.Contains("--output", ToolProcess.Run("train", Labels).Errors[0], StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void Train_NamedPipe_IsRefusedAndNotWaitedFor()
+    {
+        if (!Directory.Exists("/proc/self"))
+            return;   // named pipes in folders are of Unix, and told apart on Linux
+        string pipe = Path.Combine(_folder, "pipe");
+        Assert.Equal(0, ToolProcess.RunInShell($"mkfifo \"{pipe}\"").ExitCode);
+        File.WriteAllText(Labels, "{ \"pictures\": [] }");
+        string fault = $"rabit train: {pipe}: it is a pipe, not a file";
+
+        ToolProcess ofLabels = ToolProcess.Run("train", pipe, "-o", Output);
+        ToolProcess ofOutput = ToolProcess.Run("train", Labels, "-o", pipe);
+
+        Assert.Equal((2, fault), (ofLabels.ExitCode, Assert.Single(ofLabels.Errors)));
+        Assert.Equal((2, fault), (ofOutput.ExitCode, Assert.Single(ofOutput.Errors)));
+    }
+
     // Five squares and one that is cut.
     private static string Boxes
     {

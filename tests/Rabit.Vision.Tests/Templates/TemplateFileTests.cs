@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Text;
+using Rabit.Vision.Tests.Pictures;
 using Xunit;
 
 namespace Rabit.Vision.Tests.Templates;
@@ -33,6 +34,17 @@ public sealed class TemplateFileTests : IDisposable
         Assert.Equal(
             ("car", 4.8, 2.0, 0.15, -0.123456789),
             (read.Name, read.LengthMetres, read.WidthMetres, read.MetresPerPixel, read.Bias));
+    }
+
+    [Fact]
+    public void Load_NamedPipe_IsRefusedAndNotWaitedFor()
+    {
+        if (!Directory.Exists("/proc/self"))
+            return;   // told apart on Linux
+        SamplePictures.MakePipe(_path);
+        Assert.Equal(
+            _path + ": it is a pipe, not a file",
+            Assert.Throws<PictureException>(() => ObjectTemplate.Load(_path)).Message);
     }
 
     [Fact]

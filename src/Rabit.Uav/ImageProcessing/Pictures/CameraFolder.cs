@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Rabit.Files;
 using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Vision;
@@ -155,6 +156,9 @@ public sealed class CameraFolder
 
     private static CameraFolder OpenFile(string file, string folder)
     {
+        // Who opens a pipe waits for its writer.
+        if (SpecialFile.FindKind(file) is { } kind)
+            throw new PictureException(file, $"it is {kind}, not a file");
         try
         {
             return CameraDescription.Parse(File.ReadAllBytes(file), file, folder);

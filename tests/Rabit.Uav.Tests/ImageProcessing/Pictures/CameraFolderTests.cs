@@ -334,6 +334,18 @@ public sealed class CameraFolderTests : IDisposable
             "/dev/zero: that is a device",
             Assert.Throws<PictureException>(() => CameraFolder.Open("/dev/zero")).Message, StringComparison.Ordinal);
 
+    [ShellFact]
+    public void Open_DescriptionThatIsAPipe_IsRefusedAndNotWaitedFor()
+    {
+        string pipe = _folder.File(CameraFolder.DescriptionFile);
+        SamplePictures.MakePipe(pipe);
+
+        Assert.Equal(
+            [pipe + ": it is a pipe, not a file", pipe + ": it is a pipe, not a file"],
+            [Assert.Throws<PictureException>(() => CameraFolder.Open(_folder.Path)).Message,
+                Assert.Throws<PictureException>(() => CameraFolder.Open(pipe)).Message]);
+    }
+
     private CameraFolder Open(string json)
     {
         File.WriteAllText(_folder.File(CameraFolder.DescriptionFile), json);

@@ -2,7 +2,7 @@ using System;
 using System.Runtime.InteropServices;
 using System.Text;
 
-namespace Rabit.Vision;
+namespace Rabit.Files;
 
 /// <summary>
 /// Names in the file system that are no files: who opens a named pipe waits for its writer, and a device may have no
@@ -17,11 +17,11 @@ internal static class SpecialFile
     private const int TypeMask = 0xF000;
 
     /// <summary>What a path leads to, through links too, where that is no file and no folder; else null.</summary>
-    public static unsafe string? FindKind(string path)
+    public static string? FindKind(string path)
     {
         if (!OperatingSystem.IsLinux())
             return null;
-        byte* result = stackalloc byte[Length];
+        byte[] result = new byte[Length];
         try
         {
             // What cannot be looked at cannot be opened either, which says why.
@@ -33,7 +33,7 @@ internal static class SpecialFile
             return null;   // a C library from before 2018
         }
 
-        return (*(ushort*)(result + ModeOffset) & TypeMask) switch
+        return (BitConverter.ToUInt16(result, ModeOffset) & TypeMask) switch
         {
             0x1000 => "a pipe",
             0x2000 or 0x6000 => "a device",
@@ -43,5 +43,5 @@ internal static class SpecialFile
     }
 
     [DllImport("libc", EntryPoint = "statx")]
-    private static extern unsafe int Statx(int folder, byte[] path, int flags, uint mask, byte* result);
+    private static extern int Statx(int folder, byte[] path, int flags, uint mask, [Out] byte[] result);
 }
