@@ -8,13 +8,14 @@ namespace Rabit.Vision;
 internal static class MetadataSegments
 {
     private static readonly byte[] ExifName = [(byte)'E', (byte)'x', (byte)'i', (byte)'f', 0, 0];
+    private static readonly byte[] ExtensionName = Encoding.ASCII.GetBytes("http://ns.adobe.com/xmp/extension/\0");
     private static readonly byte[] XmpName = Encoding.ASCII.GetBytes("http://ns.adobe.com/xap/1.0/\0");
 
     public static PhotoMetadata Read(byte[] file)
     {
         var photo = new PhotoMetadata();
         var faults = new List<string>();
-        (bool hasExif, bool hasXmp, bool isWhole) = (false, false, false);
+        (bool hasExif, bool hasXmp, bool hasExtension, bool isWhole) = (false, false, false, false);
         int at = 2;
         while (TryNext(file, ref at, out int marker, out int content, out int length))
         {
@@ -36,6 +37,12 @@ internal static class MetadataSegments
                 hasXmp = true;
                 XmpReader.Read(
                     Encoding.UTF8.GetString(file, content + XmpName.Length, length - XmpName.Length), photo, faults);
+            }
+            else if (!hasExtension && StartsWith(file, content, length, ExtensionName))
+            {
+                // What finds no room in a segment; of a drone that is no angle or height, but what else was added.
+                hasExtension = true;
+                faults.Add("XMP: its extension (ExtendedXMP) is not read");
             }
         }
 

@@ -13,6 +13,10 @@ internal static class PngMetadata
     public const uint Exif = 0x65584966;
     public const uint InternationalText = 0x69545874;
 
+    private const uint Text = 0x74455874;
+    private const uint CompressedText = 0x7A545874;
+
+    private static readonly byte[] RawProfile = Encoding.ASCII.GetBytes("Raw profile type ");
     private static readonly byte[] XmpKeyword = Encoding.ASCII.GetBytes("XML:com.adobe.xmp\0");
 
     /// <summary>The content of the chunk that holds XMP: not compressed, without a language.</summary>
@@ -56,7 +60,18 @@ internal static class PngMetadata
             case InternationalText:
                 TakeText(file, content, length, photo, faults);
                 break;
+            case Text or CompressedText when IsRawProfile(file, content, length):
+                faults.Add("PNG: the profile that ImageMagick made of its EXIF or XMP is not read");
+                break;
         }
+    }
+
+    // "exif", "xmp" and "APP1", as text; profiles of colours ("icc") say nothing of the camera.
+    private static bool IsRawProfile(byte[] file, int content, int length)
+    {
+        int name = content + RawProfile.Length;
+        return length > RawProfile.Length + 3 && file.AsSpan(content, RawProfile.Length).SequenceEqual(RawProfile)
+            && (char)file[name] is 'e' or 'x' or 'A';
     }
 
     // Behind the keyword: whether it is compressed, how, a language and a translated keyword, each ended by 0.

@@ -80,6 +80,41 @@ public sealed class PhotoMetadataTests
         Assert.InRange(fault.Length, 20, 220);
     }
 
+    [Fact]
+    public void Read_ExtendedXmp_IsNamedAsNotRead()
+    {
+        byte[] part = Encoding.ASCII.GetBytes("http://ns.adobe.com/xmp/extension/\0" + new string('A', 40) + "<a/>");
+        byte[] file = JpegFiles.With(JpegFiles.With(PhotoBytes.Drone(), 0xE1, part), 0xE1, part);
+
+        PhotoMetadata photo = PhotoMetadata.Read(file, "x");
+
+        Assert.Equal(["XMP: its extension (ExtendedXMP) is not read"], photo.Faults);
+        Assert.Equal(-89.9, photo.GimbalPitchDegrees);
+    }
+
+    [Theory]
+    [InlineData("iTXt", "XML:com.adobe.xmp\0\u0001\0\0\0abc", "XMP: it is compressed, which is not read")]
+    [InlineData("zTXt", "Raw profile type xmp\0\0abc",
+        "PNG: the profile that ImageMagick made of its EXIF or XMP is not read")]
+    [InlineData("tEXt", "Raw profile type APP1\0abc",
+        "PNG: the profile that ImageMagick made of its EXIF or XMP is not read")]
+    [InlineData("zTXt", "Raw profile type icc\0\0abc", null)]
+    [InlineData("tEXt", "Raw profile type ", null)]
+    [InlineData("tEXt", "Comment\0exif", null)]
+    public void Read_MetadataOfAPngThatAreNotRead_AreNamed(string type, string content, string? fault)
+    {
+        byte[] png = PngPicture.Encode(new RgbPicture(1, 1, [1, 2, 3]));
+        const int AfterHeader = 8 + 12 + 13;
+        byte[] text = Encoding.ASCII.GetBytes(content);
+        byte[] file =
+        [
+            .. png.Take(AfterHeader), 0, 0, 0, (byte)text.Length, .. Encoding.ASCII.GetBytes(type), .. text, 0, 0, 0, 0,
+            .. png.Skip(AfterHeader),
+        ];
+
+        Assert.Equal(fault is null ? [] : [fault], PhotoMetadata.Read(file, "x").Faults);
+    }
+
     // 0 and 1 until EXIF 2.3, all four since EXIF 3.0.
     [Theory]
     [InlineData(0, 430.5)]
