@@ -171,8 +171,8 @@ public sealed class SimulatedCameraOptions
                 + "-90 to 30 and -360 to 360");
         if (!(FramesPerSecond > 0) || FramesPerSecond > 1000)
             faults.Add($"{nameof(FramesPerSecond)} is {FramesPerSecond}; it must be above 0 and at most 1000");
-        if (Exposure < TimeSpan.Zero)
-            faults.Add($"{nameof(Exposure)} is {Exposure}; it must be zero or longer");
+        if (Exposure < TimeSpan.Zero || Exposure > TimeSpan.FromHours(1))
+            faults.Add($"{nameof(Exposure)} is {Exposure}; it must be 0 to 1 hour");
         if (Delay <= Exposure)
             faults.Add($"{nameof(Delay)} is {Delay}; it must be longer than {nameof(Exposure)}, which is {Exposure}");
         if (!(NoiseSigma >= 0) || NoiseSigma > 20)

@@ -12,6 +12,15 @@ namespace Rabit.Uav.Messages;
 /// </summary>
 public struct CameraFrame : IDisposable
 {
+    /// <summary>The longest exposure that a picture may have.</summary>
+    internal static readonly TimeSpan MaxExposure = TimeSpan.FromHours(1);
+
+    // So that the middle of an exposure, and what is added to it, are times.
+    private static readonly TimeSpan MaxFrameStart = TimeSpan.FromDays(3_652_500);
+
+    private TimeSpan _frameStart;
+    private TimeSpan _exposure;
+
     /// <summary>
     /// The pixels: <see cref="Width"/> x <see cref="Height"/> x 3 bytes from the start of the buffer, 2 of a thermal
     /// camera.
@@ -31,11 +40,29 @@ public struct CameraFrame : IDisposable
     /// <summary>Which picture of its camera it is, from 0; a gap is a picture that was lost.</summary>
     public long Number { get; set; }
 
-    /// <summary>When the exposure began, that of the top row, by the clock of the run.</summary>
-    public TimeSpan FrameStart { get; set; }
+    /// <summary>
+    /// When the exposure began, that of the top row, by the clock of the run: within 10 000 years of its start.
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">It is further off.</exception>
+    public TimeSpan FrameStart
+    {
+        readonly get => _frameStart;
+        set => _frameStart = value <= MaxFrameStart && value >= -MaxFrameStart
+            ? value
+            : throw new ArgumentOutOfRangeException(
+                nameof(value), value, $"A picture's {nameof(FrameStart)} is within 10 000 years of the run's start.");
+    }
 
-    /// <summary>How long the exposure took.</summary>
-    public TimeSpan Exposure { get; set; }
+    /// <summary>How long the exposure took: 0 to an hour.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">It is none of these.</exception>
+    public TimeSpan Exposure
+    {
+        readonly get => _exposure;
+        set => _exposure = value >= TimeSpan.Zero && value <= MaxExposure
+            ? value
+            : throw new ArgumentOutOfRangeException(
+                nameof(value), value, $"A picture's {nameof(Exposure)} is 0 to 1 hour.");
+    }
 
     /// <summary>
     /// How wrong <see cref="FrameStart"/> may be, one standard deviation, beside what the error budget has for all

@@ -16,6 +16,10 @@ public sealed class ProcessCameraOptions
 
     private const int MaxRowPadding = 4096;
 
+    // As in the description of a camera; and what a timer takes.
+    private static readonly TimeSpan MaxTime = TimeSpan.FromSeconds(10);
+    private static readonly TimeSpan MaxStallTimeout = TimeSpan.FromSeconds(600);
+
     /// <summary>The program, by its path or by a name that is found in PATH.</summary>
     public string Program { get; set; } = string.Empty;
 
@@ -123,6 +127,22 @@ public sealed class ProcessCameraOptions
             : FormattableString.Invariant($"it is {bytes}; it must be even and {min} to {max}");
     }
 
+    private string? FindTimeFault()
+    {
+        (string Name, TimeSpan Value, TimeSpan Max)[] times =
+        [
+            (nameof(Exposure), Exposure, MaxTime), (nameof(Latency), Latency, MaxTime),
+            (nameof(TimeNoise), TimeNoise, MaxTime), (nameof(MetadataTimeNoise), MetadataTimeNoise, MaxTime),
+            (nameof(StallTimeout), StallTimeout, MaxStallTimeout),
+            (nameof(MaxRestartDelay), MaxRestartDelay, MaxStallTimeout),
+        ];
+        int wrong = Array.FindIndex(times, t => t.Value < TimeSpan.Zero || t.Value > t.Max);
+        return wrong < 0
+            ? null
+            : FormattableString.Invariant(
+                $"{times[wrong].Name} is {times[wrong].Value}; it must be 0 to {times[wrong].Max.ExactSeconds} s");
+    }
+
     internal ProcessCameraOptions ValidatedCopy(string parameter)
     {
         var copy = (ProcessCameraOptions)MemberwiseClone();
@@ -138,9 +158,8 @@ public sealed class ProcessCameraOptions
             throw new ArgumentException(
                 $"The camera of {Program}: {MetadataPlace} stands in its arguments, and works on Linux only.",
                 parameter);
-        if (Exposure < TimeSpan.Zero || Latency < TimeSpan.Zero || MetadataTimeNoise < TimeSpan.Zero)
-            throw new ArgumentException(
-                $"The camera of {Program}: exposure, latency and time noise must not be negative.", parameter);
+        if (FindTimeFault() is { } timeFault)
+            throw new ArgumentException($"The camera of {Program}: {timeFault}.", parameter);
         if (TimeNoise < PictureTimeSource.MinArrivalNoise)
         {
             throw new ArgumentException(

@@ -12,6 +12,9 @@ public sealed class V4l2CameraOptions
     // By ticks: some runtimes make whole milliseconds of a number of them.
     private static readonly TimeSpan MinExposure = TimeSpan.FromTicks(TimeSpan.TicksPerMillisecond / 10);
 
+    private static readonly TimeSpan MaxTime = TimeSpan.FromSeconds(10);
+    private static readonly TimeSpan MaxStallTimeout = TimeSpan.FromSeconds(600);
+
     /// <summary>The device, for example "/dev/video0", or a link below /dev/v4l/by-id that stays the same.</summary>
     public string Device { get; set; } = string.Empty;
 
@@ -109,12 +112,16 @@ public sealed class V4l2CameraOptions
                 + FormattableString.Invariant($"{ProcessCameraOptions.MaxRate}");
         }
 
-        if (Exposure < MinExposure || Exposure > TimeSpan.FromSeconds(10))
+        if (Exposure < MinExposure || Exposure > MaxTime)
             yield return $"{nameof(Exposure)} is {Exposure}; it must be 0.1 ms to 10 s";
         if (Readout < TimeSpan.Zero || Latency < TimeSpan.Zero || TimeNoise < TimeSpan.Zero)
             yield return $"{nameof(Readout)}, {nameof(Latency)} and {nameof(TimeNoise)} must not be negative";
+        if (Readout > MaxTime || Latency > MaxTime || TimeNoise > MaxTime)
+            yield return $"{nameof(Readout)}, {nameof(Latency)} and {nameof(TimeNoise)} must be at most 10 s";
         if (StallTimeout <= TimeSpan.Zero || FirstRestartDelay <= TimeSpan.Zero || MaxRestartDelay < FirstRestartDelay)
             yield return "timeout and delays must be above zero, the longest not below the first";
+        if (StallTimeout > MaxStallTimeout || MaxRestartDelay > MaxStallTimeout)
+            yield return $"{nameof(StallTimeout)} and {nameof(MaxRestartDelay)} must be at most 600 s";
         if (Buffers < 1)
             yield return FormattableString.Invariant($"{nameof(Buffers)} is {Buffers}; it must be at least 1");
     }

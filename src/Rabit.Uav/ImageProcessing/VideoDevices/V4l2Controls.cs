@@ -9,6 +9,8 @@ internal sealed class V4l2Controls
     private const uint NotSettable = V4l2Layout.IsDisabled | V4l2Layout.IsReadOnly;
     private const long TicksPerUnit = TimeSpan.TicksPerMillisecond / 10;
 
+    private const int MaxUnits = 100_000;   // 10 s; a driver that says more is not believed
+
     private readonly IVideoSystem _system;
     private readonly int _descriptor;
     private readonly List<string> _missing = [];
@@ -43,7 +45,7 @@ internal sealed class V4l2Controls
         long units = Math.Max(1, exposure.Ticks / TicksPerUnit);
         if (!TrySet(V4l2Layout.ExposureTime, (int)units))
             _missing.Add("exposure");
-        else if (TryGet(V4l2Layout.ExposureTime, out int set) && set > 0)
+        else if (TryGet(V4l2Layout.ExposureTime, out int set) && set is > 0 and <= MaxUnits)
             Exposure = TimeSpan.FromTicks(set * TicksPerUnit);
     }
 

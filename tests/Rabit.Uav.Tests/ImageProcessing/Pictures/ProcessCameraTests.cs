@@ -289,6 +289,23 @@ public sealed partial class ProcessCameraTests : IDisposable
         Assert.True(SpinWait.SpinUntil(() => HasEnded(pid), MaxWait), $"process {pid} goes on");
     }
 
+    [Theory]
+    [InlineData("Exposure")]
+    [InlineData("Latency")]
+    [InlineData("TimeNoise")]
+    [InlineData("MetadataTimeNoise")]
+    [InlineData("StallTimeout")]
+    [InlineData("MaxRestartDelay")]
+    public void New_TimeWithoutEnd_IsRefusedByName(string name)
+    {
+        var options = new ProcessCameraOptions { Program = "sh", Width = 4, Height = 4 };
+        typeof(ProcessCameraOptions).GetProperty(name)!.SetValue(options, TimeSpan.MaxValue);
+
+        Assert.Contains(
+            $"The camera of sh: {name} is ",
+            Assert.Throws<ArgumentException>(() => new ProcessCamera(options)).Message, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void New_OptionsThatAreNone_AreRefused()
     {

@@ -325,6 +325,23 @@ public sealed class V4l2CameraTests : IDisposable
             Assert.Contains(name, e.Message, StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData("Exposure")]
+    [InlineData("Readout")]
+    [InlineData("Latency")]
+    [InlineData("TimeNoise")]
+    [InlineData("StallTimeout")]
+    [InlineData("MaxRestartDelay")]
+    public void New_TimeWithoutEnd_IsRefusedByName(string name)
+    {
+        V4l2CameraOptions options = Options();
+        typeof(V4l2CameraOptions).GetProperty(name)!.SetValue(options, TimeSpan.MaxValue);
+
+        Assert.Contains(
+            name, Assert.Throws<ArgumentException>(() => new V4l2Camera(options, _system)).Message,
+            StringComparison.Ordinal);
+    }
+
     [VideoDeviceFact]
     public void RealDevice_GivesPictures()
     {
