@@ -19,9 +19,9 @@ namespace Rabit.Uav.ImageProcessing;
 /// pictures of a recorded flight go with a recorded log whose start the clock of the run was set to. Pictures come in
 /// the order of their times. The figures may be read from any thread.
 /// </remarks>
-public sealed class FolderCamera : ICamera
+public sealed partial class FolderCamera : ICamera
 {
-    private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(100);
+    private static readonly TimeSpan Poll = UnfinishedPicture.Period;
 
     // Clocks of two computers may differ a little. What appears during the run and is further ahead has not been taken
     // yet by our clock: its stamp is wrong.
@@ -45,6 +45,7 @@ public sealed class FolderCamera : ICamera
     private long _late;
     private long _withoutBuffer;
     private long _ahead;
+    private long _readAgain;
     private string? _lastRefusal;
     private string? _fault;
     private bool _hasListed;
@@ -103,6 +104,11 @@ public sealed class FolderCamera : ICamera
     /// </summary>
     public long PicturesAhead => Interlocked.Read(ref _ahead);
 
+    /// <summary>
+    /// Pictures that could not be read at first, since they were still being written, and were whole at a later try.
+    /// </summary>
+    public long PicturesReadAgain => Interlocked.Read(ref _readAgain);
+
     /// <summary>Pictures lost because no buffer was free.</summary>
     public long PicturesWithoutBuffer => Interlocked.Read(ref _withoutBuffer);
 
@@ -136,7 +142,10 @@ public sealed class FolderCamera : ICamera
             // While one is waited for, earlier ones may appear.
             if (!IsNextDue(out TimeSpan wait))
                 FindNew();
-            if (!IsNextDue(out wait))
+            bool isNextDue = IsNextDue(out wait);
+            if (TryTakeUnfinished(isNextDue, out value))
+                return ReaderStep.Value;
+            if (!isNextDue)
                 return ReaderStep.WaitUntil(_context!.Now + (wait < Poll ? wait : Poll));
 
             ListedPicture next = _pending[_pending.Count - 1];
@@ -153,9 +162,7 @@ public sealed class FolderCamera : ICamera
     }
 
     /// <inheritdoc/>
-    public void Close()
-    {
-    }
+    public void Close() => GiveUpUnfinished();
 
     private bool IsNextDue(out TimeSpan wait)
     {
@@ -170,9 +177,10 @@ public sealed class FolderCamera : ICamera
     private static TimeSpan ExposureOf(ListedPicture picture)
         => TimeSpan.FromTicks(picture.Facts.ExposureMicroseconds * PictureFolderWriter.TicksPerMicrosecond);
 
-    private bool TryTake(ListedPicture picture, out CameraFrame frame)
+    // The reason is null where a buffer is what is missing.
+    private bool TryRead(ListedPicture picture, out CameraFrame frame, out string? reason)
     {
-        frame = default;
+        (frame, reason) = (default, null);
         if (!_pool.TryRent("folder camera", out BufferLease lease))
         {
             Interlocked.Increment(ref _withoutBuffer);
@@ -186,7 +194,7 @@ public sealed class FolderCamera : ICamera
         catch (PictureException e)
         {
             lease.Dispose();
-            Refuse(e.Message);
+            reason = e.Message;
             return false;
         }
 
@@ -242,11 +250,14 @@ public sealed class FolderCamera : ICamera
             Volatile.Write(ref _fault, e.Message);
         }
 
+        ReadUnfinishedExif(found);
         foreach (string name in _nameless)
             ReadExif(name, found);
         _nameless.Clear();
         foreach (ListedPicture picture in found)
         {
+            picture.IsNew = _hasListed;
+
             // Those of a recorded folder are there from the start, and come at their times.
             if (_hasListed && RunTime(picture.Facts.StartUtcMicroseconds) - _context!.Now > MaxAhead)
                 RefuseAhead(picture);
@@ -256,18 +267,6 @@ public sealed class FolderCamera : ICamera
 
         _hasListed = true;
         Sort();
-    }
-
-    private void ReadExif(string name, List<ListedPicture> found)
-    {
-        try
-        {
-            found.Add(PictureExif.Read(_folder, name));
-        }
-        catch (PictureException e)
-        {
-            Refuse(e.Message);
-        }
     }
 
     private void Add(ListedPicture picture)

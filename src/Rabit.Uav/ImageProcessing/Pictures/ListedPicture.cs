@@ -10,6 +10,9 @@ internal sealed class ListedPicture(string file, PictureFileName facts, TimeSpan
     /// <summary>Within the folder.</summary>
     public string File { get; } = file;
 
+    /// <summary>Whether it appeared while the folder was watched, so that it may still be being written.</summary>
+    public bool IsNew { get; set; }
+
     public PictureFileName Facts { get; } = facts;
 
     /// <summary>

@@ -68,6 +68,14 @@ internal sealed class FolderCameraRig : IDisposable
 
     public string PathOf(string name) => _folder.File(name);
 
+    /// <summary>Ends the run.</summary>
+    public void Stop()
+    {
+        _reactor?.Stop();
+        _reactor?.Finish();
+        _reactor = null;
+    }
+
     /// <summary>Writes a picture as another program does.</summary>
     /// <param name="number">Its number, which is also the first byte of it.</param>
     /// <param name="start">Start of its exposure since the start of the run; may be negative.</param>
@@ -110,8 +118,7 @@ internal sealed class FolderCameraRig : IDisposable
 
     public void Dispose()
     {
-        _reactor?.Stop();
-        _reactor?.Finish();
+        Stop();
         _folder.Dispose();
     }
 
