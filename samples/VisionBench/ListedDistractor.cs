@@ -7,10 +7,10 @@ internal sealed class ListedDistractor
 {
     public ListedDistractor(JsonElement json)
     {
-        Kind = json.GetProperty("kind").GetString()!;
-        JsonElement centre = json.GetProperty("center_px");
-        (X, Y) = (centre[0].GetDouble(), centre[1].GetDouble());
-        Size = json.GetProperty("size_px").GetDouble();
+        Kind = json.TextOf("kind");
+        double[] centre = json.NumbersOf("center_px", 2);
+        (X, Y) = (centre[0], centre[1]);
+        Size = json.NumberOf("size_px");
     }
 
     public string Kind { get; }

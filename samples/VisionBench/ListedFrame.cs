@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Immutable;
 using System.IO;
 using System.Linq;
@@ -16,21 +17,21 @@ internal sealed class ListedFrame
 
     public ListedFrame(string folder, int index, JsonElement json, CameraModel camera)
     {
-        string name = json.GetProperty("file").GetString()!;
+        string name = json.TextOf("file");
         Name = Path.GetFileNameWithoutExtension(name);
         FilePath = Path.Combine(folder, name);
         Index = index;
         Camera = camera;
-        JsonElement pose = json.GetProperty("pose");
-        JsonElement rotation = pose.GetProperty("R_ned_from_cam");
+        JsonElement pose = json.FieldOf("pose");
+        double[][] rows = [.. pose.EachOf("R_ned_from_cam", (row, _) => TruthJson.Numbers(row, 3)
+            ?? throw new FormatException("it must be a list of 3 numbers"))];
+        if (rows.Length != 3)
+            throw new FormatException("\"R_ned_from_cam\" must be a list of 3 rows");
         NedFromCamera = Rotation.FromMatrix(
-            Row(rotation[0], 0), Row(rotation[0], 1), Row(rotation[0], 2),
-            Row(rotation[1], 0), Row(rotation[1], 1), Row(rotation[1], 2),
-            Row(rotation[2], 0), Row(rotation[2], 1), Row(rotation[2], 2));
-        HeightMetres = -pose.GetProperty("cam_center_ned_m")[2].GetDouble();
-        Targets = json.GetProperty("targets").EnumerateArray().Select(t => new ListedTarget(t)).ToImmutableArray();
-        Distractors = json.GetProperty("distractors").EnumerateArray().Select(d => new ListedDistractor(d))
-            .ToImmutableArray();
+            rows[0][0], rows[0][1], rows[0][2], rows[1][0], rows[1][1], rows[1][2], rows[2][0], rows[2][1], rows[2][2]);
+        HeightMetres = -pose.NumbersOf("cam_center_ned_m", 3)[2];
+        Targets = [.. json.EachOf("targets", (t, _) => new ListedTarget(t))];
+        Distractors = [.. json.EachOf("distractors", (d, _) => new ListedDistractor(d))];
         Markers = new MarkerPicture(
             Name, FilePath, index, [.. Targets.Where(t => t.Marker is not null).Select(t => t.Marker!)],
             IsOnAnUnknownMarker);
@@ -79,6 +80,4 @@ internal sealed class ListedFrame
     // Of some sets the truth does not say which marker it is.
     private bool IsOnAnUnknownMarker(DetectedMarker marker) => Targets.Any(
         t => t.Kind == "marker" && t.Marker is null && t.Covers(marker.Corners.Centre.X, marker.Corners.Centre.Y));
-
-    private static double Row(JsonElement row, int column) => row[column].GetDouble();
 }

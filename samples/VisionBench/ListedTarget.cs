@@ -11,20 +11,19 @@ internal sealed class ListedTarget
 {
     public ListedTarget(JsonElement json)
     {
-        Kind = json.GetProperty("class").GetString()!;
-        Colour = json.GetProperty("color").GetString()!;
-        Shape = json.GetProperty("shape").GetString()!;
-        Size = json.GetProperty("size_px").GetDouble();
-        FractionVisible = json.GetProperty("fraction_visible").GetDouble();
-        IsWhole = !json.GetProperty("occluded").GetBoolean() && !json.GetProperty("truncated").GetBoolean();
-        JsonElement centre = json.GetProperty("visible_centroid_px");
-        IsSeen = centre.ValueKind == JsonValueKind.Array;
-        (X, Y) = IsSeen ? (centre[0].GetDouble(), centre[1].GetDouble()) : (double.NaN, double.NaN);
+        Kind = json.TextOf("class");
+        Colour = json.TextOf("color");
+        Shape = json.TextOf("shape");
+        Size = json.NumberOf("size_px");
+        FractionVisible = json.NumberOf("fraction_visible");
+        IsWhole = !json.FlagOf("occluded") && !json.FlagOf("truncated");
+        IsSeen = json.FieldOf("visible_centroid_px").ValueKind != JsonValueKind.Null;
+        double[] centre = IsSeen ? json.NumbersOf("visible_centroid_px", 2) : [double.NaN, double.NaN];
+        (X, Y) = (centre[0], centre[1]);
         if (json.TryGetProperty("marker", out JsonElement marker))
             Marker = ListedMarker.Of(marker, FractionVisible);
-        JsonElement box = json.GetProperty("bbox_px");
-        (Left, Top, Right, Bottom) =
-            (box[0].GetDouble(), box[1].GetDouble(), box[2].GetDouble(), box[3].GetDouble());
+        double[] box = json.NumbersOf("bbox_px", 4);
+        (Left, Top, Right, Bottom) = (box[0], box[1], box[2], box[3]);
     }
 
     /// <summary>A panel of a photo, in full sight.</summary>

@@ -44,33 +44,32 @@ internal static class PhotoManifest
         try
         {
             using var json = JsonDocument.Parse(File.ReadAllText(path));
-            JsonElement files = json.RootElement.GetProperty("files");
             var frames = new List<ListedFrame>();
-            foreach (JsonElement file in files.EnumerateArray())
+            int all = json.RootElement.EachOf("files", (file, _) =>
             {
                 if (TryRead(file, folder, frames.Count + 1) is { } frame)
                     frames.Add(frame);
-            }
-
+                return file;
+            }).Count();
             if (frames.Count == 0)
                 throw new FormatException("of no picture it is known what a pixel is on the ground");
-            return ([.. frames], files.GetArrayLength() - frames.Count);
+            return ([.. frames], all - frames.Count);
         }
-        catch (Exception e)
-            when (e is JsonException or InvalidOperationException or KeyNotFoundException or FormatException
-                or IndexOutOfRangeException)
+        catch (Exception e) when (e is JsonException or FormatException)
         {
             throw new FormatException($"{path} is no manifest of photos: {e.Message}", e);
         }
     }
+
     private static ListedFrame? TryRead(JsonElement json, string folder, int index)
     {
-        string file = json.GetProperty("file").GetString()!;
-        double scale = json.TryGetProperty("scale", out JsonElement smaller) ? smaller.GetDouble() : 1;
-        ImmutableArray<ListedTarget> panels = json.TryGetProperty("panels_original_px", out JsonElement listed)
-            ? [.. listed.EnumerateArray().Select(p => PanelOf(p, scale))]
+        string file = json.TextOf("file");
+        double scale = json.TryGetProperty("scale", out _) ? json.NumberOf("scale") : 1;
+        ImmutableArray<ListedTarget> panels = json.TryGetProperty("panels_original_px", out _)
+            ? [.. json.EachOf("panels_original_px", (p, _) => PanelOf(p, scale))]
             : [];
-        double metresPerPixel = json.TryGetProperty("metres_per_pixel", out JsonElement known) ? known.GetDouble()
+        double metresPerPixel = json.TryGetProperty("metres_per_pixel", out _)
+            ? json.NumberOf("metres_per_pixel")
             : panels.Length > 0 ? PanelSideMetres / panels.Average(p => p.Size)
             : MetresPerPixelOf.Where(p => Path.GetFileName(file).Split('_').Contains(p.Key))
                 .Select(p => p.Value / scale).DefaultIfEmpty(double.NaN).First();
@@ -78,20 +77,22 @@ internal static class PhotoManifest
             return null;
         if (!(metresPerPixel > 0) || double.IsInfinity(metresPerPixel))
             throw new FormatException(FormattableString.Invariant($"{file}: a pixel of {metresPerPixel} m"));
-        (int Width, int Height) size = (json.GetProperty("width").GetInt32(), json.GetProperty("height").GetInt32());
+        (int Width, int Height) size = (json.WholeOf("width"), json.WholeOf("height"));
         return new ListedFrame(folder, index, file, size, metresPerPixel, panels);
     }
 
     private static ListedTarget PanelOf(JsonElement json, double scale)
     {
-        PicturePoint PointOf(JsonElement point) => new(Smaller(point[0], scale), Smaller(point[1], scale));
-        JsonElement sides = json.GetProperty("size");
-        return new ListedTarget(
-            PanelColour, PointOf(json.GetProperty("centre")),
-            [.. json.GetProperty("quad").EnumerateArray().Select(PointOf)],
-            (sides[0].GetDouble() + sides[1].GetDouble()) / 2 * scale);
+        PicturePoint PointOf(double[] point) => new(Smaller(point[0], scale), Smaller(point[1], scale));
+        double[] sides = json.NumbersOf("size", 2);
+        PicturePoint[] corners = [.. json.EachOf("quad", (c, _) => PointOf(
+            TruthJson.Numbers(c, 2) ?? throw new FormatException("it must be a list of 2 numbers")))];
+        return corners.Length == 4
+            ? new ListedTarget(
+                PanelColour, PointOf(json.NumbersOf("centre", 2)), corners, (sides[0] + sides[1]) / 2 * scale)
+            : throw new FormatException("\"quad\" must have 4 corners");
     }
 
     // The middle of a pixel is a whole number.
-    private static double Smaller(JsonElement value, double scale) => ((value.GetDouble() + 0.5) * scale) - 0.5;
+    private static double Smaller(double value, double scale) => ((value + 0.5) * scale) - 0.5;
 }

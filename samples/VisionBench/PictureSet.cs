@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Collections.Immutable;
 using System.IO;
 using System.Linq;
@@ -6,6 +7,7 @@ using System.Text.Json;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
+using Rabit.Vision;
 
 namespace VisionBench;
 
@@ -50,28 +52,23 @@ internal sealed class PictureSet
         try
         {
             using var json = JsonDocument.Parse(File.ReadAllText(path));
-            foreach (string part in (string[])["format", "cameras", "frames"])
+            if (json.RootElement.TextOf("format") is var format && format != TruthFormat)
+                throw new FormatException($"its format is \"{format}\", not \"{TruthFormat}\"");
+            var cameras = new Dictionary<string, CameraModel>(StringComparer.Ordinal);
+            foreach ((string name, CameraModel camera) in json.RootElement.EachOf("cameras", CameraOf))
             {
-                if (!json.RootElement.TryGetProperty(part, out JsonElement value))
-                    throw new FormatException($"\"{part}\" is missing");
-                if (part == "format" && value.GetString() != TruthFormat)
-                    throw new FormatException($"its format is \"{value.GetString()}\", not \"{TruthFormat}\"");
+                if (cameras.ContainsKey(name))
+                    throw new FormatException($"\"cameras\" has {name} twice");
+                cameras.Add(name, camera);
             }
 
-            var cameras = json.RootElement.GetProperty("cameras").EnumerateArray()
-                .ToDictionary(c => c.GetProperty("name").GetString()!, CameraOf, StringComparer.Ordinal);
-            CameraModel CameraFor(JsonElement frame) => frame.TryGetProperty("camera", out JsonElement name)
-                ? cameras[name.GetString()!]
-                : cameras.Values.Single();
             return new PictureSet(
                 folder,
                 BenchClasses.All,
-                json.RootElement.GetProperty("frames").EnumerateArray()
-                    .Select((f, i) => new ListedFrame(folder, i + 1, f, CameraFor(f)))
-                    .ToImmutableArray());
+                [.. json.RootElement.EachOf(
+                    "frames", (f, i) => new ListedFrame(folder, i + 1, f, CameraFor(f, cameras)))]);
         }
-        catch (Exception e) when (e is JsonException or InvalidOperationException
-            or System.Collections.Generic.KeyNotFoundException or FormatException)
+        catch (Exception e) when (e is JsonException or FormatException)
         {
             throw new FormatException($"{path} is no truth of a picture set: {e.Message}", e);
         }
@@ -88,22 +85,42 @@ internal sealed class PictureSet
         return $"it has no {TruthFile}{others}";
     }
 
-    private static CameraModel CameraOf(JsonElement json)
+    private static CameraModel CameraFor(JsonElement frame, Dictionary<string, CameraModel> cameras)
     {
-        JsonElement lens = json.GetProperty("dist_k1_k2_p1_p2_k3");
-        return new CameraModel
+        if (!frame.TryGetProperty("camera", out _))
         {
-            Width = json.GetProperty("width").GetInt32(),
-            Height = json.GetProperty("height").GetInt32(),
-            FocalX = json.GetProperty("fx").GetDouble(),
-            FocalY = json.GetProperty("fy").GetDouble(),
-            CentreX = json.GetProperty("cx").GetDouble(),
-            CentreY = json.GetProperty("cy").GetDouble(),
-            K1 = lens[0].GetDouble(),
-            K2 = lens[1].GetDouble(),
-            P1 = lens[2].GetDouble(),
-            P2 = lens[3].GetDouble(),
-            K3 = lens[4].GetDouble(),
+            return cameras.Count == 1
+                ? cameras.Values.Single()
+                : throw new FormatException($"\"camera\" is missing, and there are {cameras.Count} cameras");
+        }
+
+        string name = frame.TextOf("camera");
+        return cameras.TryGetValue(name, out CameraModel? camera)
+            ? camera
+            : throw new FormatException($"\"camera\" is {name}, which is not in \"cameras\"");
+    }
+
+    private static (string Name, CameraModel Camera) CameraOf(JsonElement json, int index)
+    {
+        double[] lens = json.NumbersOf("dist_k1_k2_p1_p2_k3", 5);
+        var camera = new CameraModel
+        {
+            Width = json.WholeOf("width"),
+            Height = json.WholeOf("height"),
+            FocalX = json.NumberOf("fx"),
+            FocalY = json.NumberOf("fy"),
+            CentreX = json.NumberOf("cx"),
+            CentreY = json.NumberOf("cy"),
+            K1 = lens[0],
+            K2 = lens[1],
+            P1 = lens[2],
+            P2 = lens[3],
+            K3 = lens[4],
         };
+        if (RgbPicture.FindSizeFault(camera.Width, camera.Height) is { } fault)
+            throw new FormatException(fault);
+        return camera.FocalX > 0 && camera.FocalY > 0
+            ? (json.TextOf("name"), camera)
+            : throw new FormatException("\"fx\" and \"fy\" must be above 0");
     }
 }

@@ -14,8 +14,8 @@ internal sealed class ListedMarker
 
     private ListedMarker(JsonElement json, ImmutableArray<PicturePoint> corners, bool counts)
     {
-        Family = FamilyOf(json.GetProperty("family").GetString()!);
-        Id = json.GetProperty("id").GetInt32();
+        Family = FamilyOf(json.TextOf("family"));
+        Id = json.WholeOf("id");
         (Corners, Counts) = (corners, counts);
     }
 
@@ -40,7 +40,7 @@ internal sealed class ListedMarker
     /// <param name="json">Family, id and corners.</param>
     /// <param name="fractionVisible">How much of it can be seen.</param>
     public static ListedMarker Of(JsonElement json, double fractionVisible)
-        => Of(json, json.GetProperty("corners_px"), fractionVisible);
+        => Of(json, json.FieldOf("corners_px"), fractionVisible);
 
     /// <param name="json">Family and id.</param>
     /// <param name="corners">Its corners.</param>
@@ -54,10 +54,10 @@ internal sealed class ListedMarker
     /// </summary>
     public static ListedMarker OfPhoto(JsonElement tag)
     {
-        ImmutableArray<PicturePoint> corners = PointsOf(tag.GetProperty("corners_lb_rb_rt_lt"), -0.5);
+        ImmutableArray<PicturePoint> corners = PointsOf(tag.FieldOf("corners_lb_rb_rt_lt"), -0.5);
         return new ListedMarker(
             tag, ImmutableArray.Create(corners[1], corners[0], corners[3], corners[2]),
-            tag.GetProperty("agreed").GetBoolean());
+            tag.FlagOf("agreed"));
     }
 
     /// <summary>Whether it is this one, and there.</summary>
@@ -83,8 +83,9 @@ internal sealed class ListedMarker
     };
 
     private static ImmutableArray<PicturePoint> PointsOf(JsonElement corners, double shift)
-        => corners.GetArrayLength() == 4
-            ? corners.EnumerateArray()
-                .Select(c => new PicturePoint(c[0].GetDouble() + shift, c[1].GetDouble() + shift)).ToImmutableArray()
+        => corners.ValueKind == JsonValueKind.Array && corners.GetArrayLength() == 4
+            ? [.. TruthJson.Each(corners, "corners", (c, _) => TruthJson.Numbers(c, 2) is { } point
+                ? new PicturePoint(point[0] + shift, point[1] + shift)
+                : throw new FormatException("it must be a list of 2 numbers"))]
             : throw new FormatException("a marker has other than four corners");
 }

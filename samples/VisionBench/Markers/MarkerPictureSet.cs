@@ -45,7 +45,7 @@ internal sealed class MarkerPictureSet
                 : null;
         }
         catch (Exception e)
-            when (e is JsonException or InvalidOperationException or KeyNotFoundException or FormatException)
+            when (e is JsonException or FormatException)
         {
             throw new FormatException($"{path} is no truth of a picture set: {e.Message}", e);
         }
@@ -54,44 +54,44 @@ internal sealed class MarkerPictureSet
     private static IEnumerable<MarkerPicture>? PicturesOf(JsonElement root, string folder)
     {
         if (root.ValueKind == JsonValueKind.Array)
-            return root.EnumerateArray().Select((p, i) => OfList(p, i + 1, folder));
+            return TruthJson.Each(root, "", (p, i) => OfList(p, i + 1, folder));
         if (root.ValueKind != JsonValueKind.Object)
             return null;
         if (root.TryGetProperty("format", out JsonElement format))
             return format.ValueKind == JsonValueKind.String && format.GetString() == FormatOfCrops
-                ? root.GetProperty("crops").EnumerateArray().Select((p, i) => OfCrop(p, i + 1, folder))
+                ? root.EachOf("crops", (p, i) => OfCrop(p, i + 1, folder))
                 : null;
-        return root.TryGetProperty("files", out JsonElement files)
-            ? files.EnumerateArray().Select((p, i) => OfPhoto(p, i + 1, folder))
+        return root.TryGetProperty("files", out _)
+            ? root.EachOf("files", (p, i) => OfPhoto(p, i + 1, folder))
             : null;
     }
 
     private static MarkerPicture OfList(JsonElement json, int index, string folder) => Make(
-        json, index, folder, [.. json.GetProperty("markers").EnumerateArray()
-            .Select(m => ListedMarker.Of(m, m.GetProperty("fraction_visible").GetDouble()))]);
+        json, index, folder,
+        [.. json.EachOf("markers", (m, _) => ListedMarker.Of(m, m.NumberOf("fraction_visible")))]);
 
     // One marker in the middle, or something that is none.
     private static MarkerPicture OfCrop(JsonElement json, int index, string folder)
     {
-        JsonElement expected = json.GetProperty("expected");
+        JsonElement expected = json.FieldOf("expected");
         return Make(
             json, index, folder, expected.ValueKind == JsonValueKind.Object
-                ? [ListedMarker.Of(expected, json.GetProperty("corners_px"))]
+                ? [ListedMarker.Of(expected, json.FieldOf("corners_px"))]
                 : []);
     }
 
     private static MarkerPicture OfPhoto(JsonElement json, int index, string folder)
     {
-        bool isOfCubes = json.GetProperty("group").GetString() == "nasa";
+        bool isOfCubes = json.TextOf("group") == "nasa";
         return Make(
-            json, index, folder, [.. json.GetProperty("tags").EnumerateArray().Select(ListedMarker.OfPhoto)],
-            json.GetProperty("complete").GetBoolean() ? NoId : isOfCubes ? IdOnTheCubes : MaxIdInTheRoom);
+            json, index, folder, [.. json.EachOf("tags", (t, _) => ListedMarker.OfPhoto(t))],
+            json.FlagOf("complete") ? NoId : isOfCubes ? IdOnTheCubes : MaxIdInTheRoom);
     }
 
     private static MarkerPicture Make(
         JsonElement json, int index, string folder, ImmutableArray<ListedMarker> markers, int maxUnlistedId = NoId)
     {
-        string file = json.GetProperty("file").GetString()!;
+        string file = json.TextOf("file");
         return new MarkerPicture(
             Path.GetFileNameWithoutExtension(file), Path.Combine(folder, file), index, markers,
             m => m.Family == MarkerFamily.AprilTag36h11 && m.Id <= maxUnlistedId);

@@ -112,6 +112,42 @@ public sealed class VisionBenchTests : IDisposable
         Assert.Contains(fault, errors, StringComparison.Ordinal);
     }
 
+    // What follows is a truth of one picture, in which one thing is changed.
+    [Theory]
+    [InlineData("0, 0, 0, 0]", "0]", "cameras[0]: \"dist_k1_k2_p1_p2_k3\" must be a list of 5 numbers")]
+    [InlineData("\"width\": 640,", "", "cameras[0]: \"width\" is missing")]
+    [InlineData("\"width\": 640,", "\"width\": -640,", "cameras[0]: its size of -640 x 480 is none")]
+    [InlineData("\"fx\": 530,", "\"fx\": 0,", "cameras[0]: \"fx\" and \"fy\" must be above 0")]
+    [InlineData("\"name\": \"c\"", "\"name\": 5", "cameras[0]: \"name\" must be a text")]
+    [InlineData("\"camera\": \"c\"", "\"camera\": \"d\"", "frames[0]: \"camera\" is d, which is not in \"cameras\"")]
+    [InlineData("\"file\": \"a.png\"", "\"file\": null", "frames[0]: \"file\" must be a text")]
+    [InlineData("[1, 0, 0]", "[1, 0]", "frames[0]: R_ned_from_cam[0]: it must be a list of 3 numbers")]
+    [InlineData("[10, 10]", "[]", "frames[0]: targets[0]: \"visible_centroid_px\" must be a list of 2 numbers")]
+    [InlineData("[5, 5, 15, 15]", "[5, 5]", "frames[0]: targets[0]: \"bbox_px\" must be a list of 4 numbers")]
+    [InlineData("\"distractors\": []", "\"distractors\": [5]", "frames[0]: distractors[0]: it must be an object")]
+    public void Run_TruthWithAWrongField_NamesFileAndField(string before, string after, string fault)
+    {
+        const string truth = """
+            { "format": "uav-imagery-truth",
+              "cameras": [{ "name": "c", "width": 640, "height": 480, "fx": 530, "fy": 530, "cx": 319.5, "cy": 239.5,
+                "dist_k1_k2_p1_p2_k3": [0, 0, 0, 0, 0] }],
+              "frames": [{ "file": "a.png", "camera": "c",
+                "pose": { "cam_center_ned_m": [0, 0, -40], "R_ned_from_cam": [[1, 0, 0], [0, 1, 0], [0, 0, 1]] },
+                "targets": [{ "class": "panel", "color": "red", "shape": "square", "visible_centroid_px": [10, 10],
+                  "size_px": 10, "bbox_px": [5, 5, 15, 15], "fraction_visible": 1, "occluded": false,
+                  "truncated": false }],
+                "distractors": [] }] }
+            """;
+        Assert.Contains(before, truth, StringComparison.Ordinal);
+        string folder = Directory.CreateDirectory(_page + ".set").FullName;
+        string file = Path.Combine(folder, "truth.json");
+        File.WriteAllText(file, truth.Replace(before, after));
+        (int exit, _, string errors) = Run(false, folder);
+        Directory.Delete(folder, recursive: true);
+        Assert.Equal(2, exit);
+        Assert.StartsWith($"{file} is no truth of a picture set: {fault}", errors, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Run_PageThatCannotBeWritten_NamesIt()
     {
