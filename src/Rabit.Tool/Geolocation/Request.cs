@@ -13,6 +13,7 @@ namespace Rabit.Tool.Geolocation;
 /// <summary>Pixels and all that is needed to find their places.</summary>
 internal sealed class Request
 {
+    private const string Pose = "pose";
     private const string Pixel = "pixel";
     private const string Pixels = "pixels";
     private const string Gimbal = "gimbal";
@@ -26,6 +27,7 @@ internal sealed class Request
     private readonly IReadOnlyList<(double Column, double Row)> _pixels;
 
     private bool _isTimed;
+    private string? _unusedPose;
 
     private Request(
         PixelGeolocator locator, TimeSpan time, ImagingCommand command,
@@ -49,7 +51,7 @@ internal sealed class Request
         var locator = new PixelGeolocator(options);
         TimeSpan time = TimeSpan.FromSeconds(TimeOf(line));
         if (line.Telemetry is null)
-            AddPose(locator, request.Object("pose", [.. PoseField.All.Select(f => f.Name)]));
+            AddPose(locator, request.Object(Pose, [.. PoseField.All.Select(f => f.Name)]));
         else
             time = Telemetry.Read(line.Telemetry, time, locator, usesGimbal: !request.Has(Gimbal));
         return new Request(
@@ -57,11 +59,14 @@ internal sealed class Request
         {
             IsList = isList,
             _isTimed = line.Telemetry is not null,
+            _unusedPose = line.Telemetry is not null && request.Has(Pose)
+                ? $"the pose of the request is not used: {line.Telemetry} says where the vehicle was"
+                : null,
         };
     }
 
     /// <summary>What may be wrongly understood, in a line; null where nothing is.</summary>
-    public string? Warning => _photo?.Warning;
+    public string? Warning => _photo?.Warning ?? _unusedPose;
 
     /// <summary>Each pixel, in the order in which they were asked for.</summary>
     public IReadOnlyList<LocatedPixel> Locate() => [.. _pixels.Select(Locate)];
@@ -109,17 +114,17 @@ internal sealed class Request
             "-" => (input.ReadToEnd(), "the standard input"),
             _ => (File.ReadAllText(file), file),
         };
-        return RequestFields.Parse(text, name, "pose", Gimbal, PoseField.GroundAltitude.Name, Pixel, Pixels);
+        return RequestFields.Parse(text, name, Pose, Gimbal, PoseField.GroundAltitude.Name, Pixel, Pixels);
     }
 
     private static TerrainGrid TerrainOf(string file)
     {
-        using var reader = new StreamReader(file);
         try
         {
+            using var reader = new StreamReader(file);
             return AsciiGrid.Read(reader);
         }
-        catch (FormatException e)
+        catch (Exception e) when (e is FormatException or IOException or UnauthorizedAccessException)
         {
             throw new FormatException($"{file}: {e.Message}", e);
         }

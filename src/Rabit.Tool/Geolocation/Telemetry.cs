@@ -54,7 +54,7 @@ internal static class Telemetry
 
     private static void ReadTable(string file, TimeSpan until, PixelGeolocator locator)
     {
-        int number = 0;
+        (int number, int poses) = (0, 0);
         int[] places = [.. Enumerable.Range(0, Columns.Length)];
         int width = Columns.Length;
         foreach (string line in File.ReadLines(file))
@@ -74,9 +74,13 @@ internal static class Telemetry
             TimeSpan time = TimeSpan.FromTicks((long)Math.Round(row[0] * TimeSpan.TicksPerSecond));
             Check(row, number, file);
             Add(locator, time, [.. row.Skip(1)]);
+            poses++;
             if (time > until)
                 break;
         }
+
+        if (poses == 0)
+            throw new FormatException($"{file} has no poses.");
     }
 
     private static int PlaceOf(string column, string[] header, string file)

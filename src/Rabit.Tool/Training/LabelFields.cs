@@ -48,6 +48,12 @@ internal sealed class LabelFields
             : throw new FormatException(FormattableString.Invariant(
                 $"{_file}: {_prefix}{name} is {number}; it must be {min} at least"));
 
+    public double NumberWithin(string name, double max)
+        => Number(name) is var number && Math.Abs(number) <= max
+            ? number
+            : throw new FormatException(FormattableString.Invariant(
+                $"{_file}: {_prefix}{name} is {number}; it must be -{max} to {max}"));
+
     public string Text(string name)
         => Required(name) is { ValueKind: JsonValueKind.String } value && value.GetString()!.Length > 0
             ? value.GetString()!

@@ -25,6 +25,8 @@ internal sealed class LabelFile
     {
         if (SpecialFile.FindKind(path) is { } kind)
             throw new FormatException($"{path}: it is {kind}, not a file");
+        if (Directory.Exists(path))
+            throw new FormatException($"{path}: that is a folder");
         string text;
         try
         {
@@ -73,7 +75,7 @@ internal sealed class LabelFile
         return new TrainingBox(
             fields.Number("left"), fields.Number("top"), fields.Number("width"), fields.Number("height"))
         {
-            HeadingRadians = fields.Has("headingDegrees") ? fields.Number("headingDegrees") * Math.PI / 180 : null,
+            HeadingRadians = fields.Has("headingDegrees") ? fields.NumberWithin("headingDegrees", 360) * Math.PI / 180 : null,
             IsIgnored = fields.Has("ignored") && fields.Flag("ignored"),
         };
     }

@@ -117,6 +117,8 @@ internal static class TrainRun
 
     private static void CheckFolder(string output)
     {
+        if (output.Length == 0)
+            throw new FormatException("--output is empty");
         string? folder = Path.GetDirectoryName(Path.GetFullPath(output));
         if (folder is not null && !Directory.Exists(folder))
             throw new FormatException($"{output}: there is no folder {folder}");

@@ -83,6 +83,8 @@ public sealed class GeolocateTelemetryTests : IDisposable
     [InlineData("1,47,8,540,0,0,0,0,0,0\n2,47,8,NaN,0,0,0,0,0,0", "altitudeAmslMetres is NaN; it must be -1000 to 100000")]
     [InlineData("1,47,188,540,0,0,0,0,0,0", "longitudeDegrees is 188; it must be -180 to 180")]
     [InlineData("1,47,8,540,0,0,0,0,0,0\n2,47,8,540,0,0,0,0,zero,0", "Line 2 of")]
+    [InlineData("", "bad.csv has no poses.")]
+    [InlineData("timeSeconds,latitudeDegrees,longitudeDegrees,altitudeAmslMetres,velocityNorthMetresPerSecond,velocityEastMetresPerSecond,velocityDownMetresPerSecond,rollDegrees,pitchDegrees,yawDegrees\n", "bad.csv has no poses.")]
     public void Table_Wrong_IsNamed(string text, string message)
     {
         Assert.Equal(2, _run.Run(_camera, _request, "--telemetry", _run.File("bad.csv", text), "--time", "1"));
@@ -97,6 +99,19 @@ public sealed class GeolocateTelemetryTests : IDisposable
         Assert.Equal(0, _run.Run(_camera, _request, "--telemetry", Log(), "--time", time, "--json"));
         AssertBelow(102.04);
         Assert.Equal(102.04, _run.Json.Number("timeSeconds"), 1e-3);
+    }
+
+    [Fact]
+    public void Telemetry_AndAPoseInTheRequest_SaysThatThatIsNotUsed()
+    {
+        string table = Table("log.csv");
+        string request = _run.File("pose.json", GeolocateFiles.Pose);
+
+        Assert.Equal(0, _run.Run(_camera, request, "--telemetry", table, "--time", "102.04", "--json"));
+
+        Assert.Equal(
+            $"the pose of the request is not used: {table} says where the vehicle was", _run.Errors.Trim());
+        AssertBelow(102.04);
     }
 
     [Fact]

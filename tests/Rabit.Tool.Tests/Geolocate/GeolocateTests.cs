@@ -222,6 +222,8 @@ public sealed class GeolocateTests : IDisposable
         Assert.Contains("missing.json", _run.Errors);
         Assert.Equal(2, _run.RunWith(GeolocateFiles.Pose, camera, "-", "--terrain", _run.File("bad.asc", "ncols 5")));
         Assert.Contains("bad.asc: ", _run.Errors);
+        Assert.Equal(2, _run.RunWith(GeolocateFiles.Pose, camera, "-", "--terrain", _run.PathOf("none.asc")));
+        Assert.StartsWith(_run.PathOf("none.asc") + ": ", _run.Errors);
     }
 
     [Theory]

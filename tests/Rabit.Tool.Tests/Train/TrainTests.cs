@@ -50,6 +50,8 @@ public sealed class TrainTests : IDisposable
         "labels.json: pictures[0].metresPerPixel is 0.0014: 160 x 100 pixels of that size are less than one pixel of the")]
     [InlineData("{ \"pictures\": [{ \"file\": \"a.png\", \"boxes\": [], \"boxes\": [] }] }",
         "labels.json: pictures[0].boxes is there twice")]
+    [InlineData("{ \"pictures\": [{ \"file\": \"a.png\", \"metresPerPixel\": 0.1, \"boxes\": [{ \"left\": 1, \"top\": 1, \"width\": 9, \"height\": 9, \"headingDegrees\": 1e300 }] }] }",
+        "pictures[0].boxes[0].headingDegrees is 1E+300; it must be -360 to 360")]
     [InlineData("[1]", "the whole must be an object")]
     [InlineData("{", "it is not JSON")]
     public void Train_WrongLabels_NamesThem(string labels, string fault)
@@ -115,6 +117,32 @@ public sealed class TrainTests : IDisposable
             ToolProcess.Run("train", Labels, "-o", Path.Combine(_folder, "none", "a")).Errors[0],
             StringComparison.Ordinal);
         Assert.Contains("--output", ToolProcess.Run("train", Labels).Errors[0], StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("--length", "NaN", "0.01 to 100")]
+    [InlineData("--width", "-1", "0.01 to 100")]
+    [InlineData("--metres-per-pixel", "0", "1E-05 to 100")]
+    [InlineData("--false-alarms", "1e9", "1E-06 to 1000")]
+    public void Train_OptionOutOfItsRange_IsRefusedByItsName(string option, string value, string range)
+    {
+        File.WriteAllText(Labels, "{ \"pictures\": [] }");
+
+        ToolProcess refused = Run(option, value);
+
+        Assert.Equal(2, refused.ExitCode);
+        Assert.StartsWith(
+            $"rabit train: {option} is {value}; it must be {range}.", Assert.Single(refused.Errors),
+            StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Train_FolderOrNothingForAFile_IsNamed()
+    {
+        File.WriteAllText(Labels, "{ \"pictures\": [] }");
+        Assert.Equal(
+            [$"rabit train: {_folder}: that is a folder", "rabit train: --output is empty"],
+            [ToolProcess.Run("train", _folder, "-o", Output).Errors[0], ToolProcess.Run("train", Labels, "-o", "").Errors[0]]);
     }
 
     [Fact]
