@@ -37,6 +37,7 @@ public sealed partial class ProcessCamera : ICamera
     private readonly ProcessPictures _stream;
     private readonly ProcessPictureTimes? _times;   // null: by arrival
     private readonly CameraPictures _pictures;
+    private readonly RowLengthCheck _rows;
     private readonly PictureRate _rate;
     private readonly RestartDelay _delay;
     private readonly CameraJournal _journal;
@@ -71,6 +72,7 @@ public sealed partial class ProcessCamera : ICamera
         _stream = new ProcessPictures(_options);
         _times = _options.HasMetadata ? new ProcessPictureTimes(_options) : null;
         _pictures = new CameraPictures(_options.Program, _options.Width, _options.Height);
+        _rows = new RowLengthCheck(_options);
         _rate = new PictureRate(_options.MaxFramesPerSecond);
         _delay = new RestartDelay(_options.FirstRestartDelay, _options.MaxRestartDelay);
         _journal = new CameraJournal(_options.Program);
@@ -303,6 +305,8 @@ public sealed partial class ProcessCamera : ICamera
 
     private void CopyRaw(byte[] pixels, int start)
     {
+        if (_rows.Look(_stream.Bytes, start) is { } line)
+            Log(line);
         int length = _stream.RemovePadding(start);
         if (_options.Format == ProcessCameraFormat.Grey16)
             Buffer.BlockCopy(_stream.Bytes, start, pixels, 0, length);
