@@ -262,7 +262,7 @@ public sealed class V4l2Camera : ICamera
             throw new PictureException(_options.Device, "the driver says that a picture is damaged");
         if (_options.Format == V4l2PixelFormat.Mjpeg)
             _pictures.DecodeJpeg(_bytes, 0, buffer.Bytes, pixels);
-        else if (buffer.Bytes < (device.RowBytes * (_options.Height - 1)) + (_options.Width * 2))
+        else if (buffer.Bytes < ((long)device.RowBytes * (_options.Height - 1)) + (_options.Width * 2))
             throw new PictureException(_options.Device, "a part of a picture is missing");
         else
             Yuyv.ToRgb(_bytes, 0, device.RowBytes, _options.Width, _options.Height, device.IsFullRange, pixels);

@@ -15,6 +15,10 @@ internal sealed class V4l2Device
     private const int MaxBuffers = 32;
     private const int MaxLost = 30;
 
+    // A driver that says more is wrong: no camera's picture has so many.
+    private const uint MaxRowBytes = 1 << 20;
+    private const uint MaxPictureBytes = 1 << 28;
+
     private readonly IVideoSystem _system;
     private readonly V4l2Layout _layout;
     private readonly int _descriptor;
@@ -164,8 +168,10 @@ internal sealed class V4l2Device
             throw new VideoDeviceException(FormattableString.Invariant(
                 $"{Card} gives {width} x {height} {NameOf(format)}; {options.Width} x {options.Height} {NameOf(wanted)}")
                 + " is wanted");
-        RowBytes = Math.Max((int)Read(argument, at + 16), options.Width * 2);
-        MaxBytes = (int)Math.Min(Read(argument, at + 20), int.MaxValue);
+        uint rowBytes = Read(argument, at + 16);
+        if (format == V4l2Layout.Yuyv && rowBytes > MaxRowBytes)
+            throw new VideoDeviceException(FormattableString.Invariant($"{Card} says that a row has {rowBytes} bytes"));
+        RowBytes = (int)Math.Max(Math.Min(rowBytes, MaxRowBytes), (uint)options.Width * 2);
         IsFullRange = Read(argument, at + 40) == V4l2Layout.FullRange;
     }
 
@@ -196,7 +202,11 @@ internal sealed class V4l2Device
         {
             Fill(index);
             Call(_layout.QueryBuffer, _buffer, "asking for a buffer");
-            int length = (int)Math.Min(Read(_buffer, _layout.LengthAt), int.MaxValue);
+            uint said = Read(_buffer, _layout.LengthAt);
+            if (said > MaxPictureBytes)
+                throw new VideoDeviceException(FormattableString.Invariant(
+                    $"{Card} says that a buffer has {said} bytes"));
+            int length = (int)said;
             IntPtr address = _system.Map(_descriptor, Read(_buffer, _layout.OffsetAt), length);
             if (address == IntPtr.Zero)
                 throw new VideoDeviceException("its buffers cannot be mapped");

@@ -52,6 +52,9 @@ internal sealed class FakeVideoSystem(int pointerBytes) : IVideoSystem, IDisposa
 
     public int BufferBytes { get; set; } = 20_000;
 
+    /// <summary>What the driver says a buffer has; null for what it has.</summary>
+    public uint? StatedBytes { get; set; }
+
     public Dictionary<uint, (int Min, int Max, int Value)> Controls { get; } = [];
 
     public (uint Numerator, uint Denominator) Period { get; private set; }
@@ -186,7 +189,7 @@ internal sealed class FakeVideoSystem(int pointerBytes) : IVideoSystem, IDisposa
         Put(argument, at + 4, Offers.Height);
         Put(argument, at + 8, Offers.Format);
         Put(argument, at + 16, RowBytes);
-        Put(argument, at + 20, (uint)BufferBytes);
+        Put(argument, at + 20, StatedBytes ?? (uint)BufferBytes);
         return 0;
     }
 
@@ -210,7 +213,7 @@ internal sealed class FakeVideoSystem(int pointerBytes) : IVideoSystem, IDisposa
     {
         Expect(argument, _is64 ? 88 : 68, _is64 ? 60 : 48, 1);
         Put(argument, _is64 ? 64 : 52, Get(argument, 0) * 4096);
-        Put(argument, _is64 ? 72 : 56, (uint)BufferBytes);
+        Put(argument, _is64 ? 72 : 56, StatedBytes ?? (uint)BufferBytes);
         return 0;
     }
 

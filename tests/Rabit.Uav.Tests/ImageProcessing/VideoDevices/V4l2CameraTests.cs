@@ -240,6 +240,44 @@ public sealed class V4l2CameraTests : IDisposable
         Assert.Null(_camera.Statistics.Fault);
     }
 
+    [Theory]
+    [InlineData(uint.MaxValue, null, "says that a row has 4294967295 bytes")]
+    [InlineData(1u << 31, null, "says that a row has 2147483648 bytes")]
+    [InlineData(100_000_000u, null, "says that a row has 100000000 bytes")]
+    [InlineData(1u << 20, null, "a part of a picture is missing")]
+    [InlineData(0u, uint.MaxValue, "says that a buffer has 4294967295 bytes")]
+    [InlineData(0u, (1u << 28) + 1, "says that a buffer has 268435457 bytes")]
+    public void Read_DriverThatSaysNonsense_IsAFaultByName(uint rowBytes, uint? bytes, string fault)
+    {
+        (_system.Offers, _system.RowBytes, _system.StatedBytes) = ((60, 43, FakeVideoSystem.Yuyv), rowBytes, bytes);
+        V4l2CameraOptions options = Options();
+        (options.Format, options.Width) = (V4l2PixelFormat.Yuyv, 60);
+        options.StallTimeout = TimeSpan.FromSeconds(0.1);
+        Start(options);
+        for (int count = 1; fault.StartsWith("a part", StringComparison.Ordinal) && count <= 2; count++)
+            _system.Deliver(new byte[60 * 43 * 2]);
+
+        Assert.True(
+            SpinWait.SpinUntil(
+                () => _camera!.Statistics.LastFault?.Contains(fault, StringComparison.Ordinal) == true, MaxWait),
+            _camera!.Statistics.LastFault);
+        Assert.Empty(_taken);
+    }
+
+    // A reader that ended with an exception would say so instead.
+    [Fact]
+    public void Read_DriverThatSaysAnExposureOfDays_IsNotBelieved()
+    {
+        _system.Controls[0x9A_0902] = (int.MaxValue, int.MaxValue, int.MaxValue);
+        V4l2CameraOptions options = Options();
+        options.Exposure = TimeSpan.FromMilliseconds(2);
+        Start(options);
+        _system.Deliver(Jpeg);
+        Take(1);
+
+        Assert.Equal(2, _taken.Single().Frame.Exposure.TotalMilliseconds);
+    }
+
     [Fact]
     public void Read_OneInThreeCannotBeUsed_IsNotOpenedAgain()
     {
