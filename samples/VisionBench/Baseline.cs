@@ -31,7 +31,7 @@ internal sealed class Baseline
         foreach (string group in (string[])["by_size", "by_class"])
         {
             foreach ((string name, BaselineField count) in colour.Of(group).All())
-                baseline._counts[name] = count.Text();
+                baseline._counts[name] = count.Count();
         }
 
         return baseline;

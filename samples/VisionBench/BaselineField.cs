@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Text.Json;
 
@@ -59,6 +60,17 @@ internal readonly struct BaselineField
 
     public string Text()
         => _json.ValueKind == JsonValueKind.String ? _json.GetString()! : throw Wrong("a text");
+
+    /// <summary>As "found/of".</summary>
+    public string Count()
+    {
+        string text = Text();
+        string[] parts = text.Split('/');
+        return parts.Length == 2 && Array.TrueForAll(
+            parts, p => int.TryParse(p, NumberStyles.None, CultureInfo.InvariantCulture, out _))
+            ? text
+            : throw Wrong("a count as 5/9");
+    }
 
     /// <summary>All that are in it, with their names there.</summary>
     public IEnumerable<(string Name, BaselineField Field)> All()

@@ -63,6 +63,9 @@ internal sealed class BenchOptions
         return options;
     }
 
+    /// <summary>What is to be said beside the reference, of which only figures of whole sets are known.</summary>
+    public string ReferenceNote => Part == "all" ? "" : "; OpenCV's figures are of all of them";
+
     public bool Includes(int index) => Part == "all" || (Part == "odd") == (index % 2 == 1);
 
     public string Describe() => $"{Part} frames" + (IsColourEnough ? ", by colour alone" : "");

@@ -44,6 +44,10 @@ internal static class PhotoManifest
         try
         {
             using var json = JsonDocument.Parse(File.ReadAllText(path));
+
+            // A list of files, as other data have it, says nothing of photos.
+            if (json.RootElement.ValueKind == JsonValueKind.Array)
+                return null;
             var frames = new List<ListedFrame>();
             int all = json.RootElement.EachOf("files", (file, _) =>
             {

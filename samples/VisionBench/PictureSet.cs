@@ -62,11 +62,11 @@ internal sealed class PictureSet
                 cameras.Add(name, camera);
             }
 
-            return new PictureSet(
-                folder,
-                BenchClasses.All,
-                [.. json.RootElement.EachOf(
-                    "frames", (f, i) => new ListedFrame(folder, i + 1, f, CameraFor(f, cameras)))]);
+            ImmutableArray<ListedFrame> frames = [.. json.RootElement.EachOf(
+                "frames", (f, i) => new ListedFrame(folder, i + 1, f, CameraFor(f, cameras)))];
+            return frames.IsEmpty
+                ? throw new FormatException("\"frames\" is empty")
+                : new PictureSet(folder, BenchClasses.All, frames);
         }
         catch (Exception e) when (e is JsonException or FormatException)
         {

@@ -73,17 +73,19 @@ internal static class VisionBenchProgram
     private static void Run(
         string folder, PictureSet set, BenchOptions options, BenchPage? page, TextWriter output, Progress progress)
     {
+        Baseline? baseline = Baseline.Load(folder);
         Bench bench = options.CreateBench(set.Classes);
         List<FrameScore> scores = bench.Run(set, (done, of) => progress.Show(set.Name, done, of))
             .Where(s => options.Includes(s.Frame.Index)).ToList();
         progress.Clear();
         var score = new SetScore(set.Name, scores);
-        Baseline? baseline = Baseline.Load(folder);
         string time = FormattableString.Invariant(
             $"time {bench.DetectorTime.TotalMilliseconds / set.Frames.Length:0.00} ms a frame, markers {bench.MarkerTime.TotalMilliseconds / set.Frames.Length:0.00} ms, {options.Part} frames");
         ScoreTable.Write(score, baseline, output);
         if (set.WithoutScale > 0)
             time += $"; {set.WithoutScale} pictures without a scale were not searched";
+        if (baseline is not null)
+            time += options.ReferenceNote;
         output.WriteLine("  " + time);
         if (options.IsListed)
             ScoreTable.List(scores, output);
@@ -94,15 +96,17 @@ internal static class VisionBenchProgram
         string folder, MarkerPictureSet set, BenchOptions options, BenchPage? page, TextWriter output,
         Progress progress)
     {
+        MarkerBaseline? baseline = MarkerBaseline.Load(folder);
         MarkerBench bench = options.CreateMarkerBench();
         List<MarkerScore> scores = bench.Run(set, (done, of) => progress.Show(set.Name, done, of))
             .Where(s => options.Includes(s.Picture.Index)).ToList();
         progress.Clear();
-        MarkerBaseline? baseline = MarkerBaseline.Load(folder);
         string title = $"{set.Name}, {scores.Count} pictures of markers";
         List<(string Name, string Value, string Reference)> rows = new MarkerTotals(scores).Rows(baseline).ToList();
         string time = FormattableString.Invariant(
             $"time {bench.Time.TotalMilliseconds / set.Pictures.Length:0.00} ms a picture, {options.Part} pictures");
+        if (baseline is not null)
+            time += options.ReferenceNote;
         ScoreTable.Write(title, rows, baseline is not null, output);
         output.WriteLine("  " + time);
         foreach (MarkerScore score in options.IsListed ? scores : [])

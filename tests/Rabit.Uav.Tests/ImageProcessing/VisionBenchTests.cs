@@ -31,6 +31,53 @@ public sealed class VisionBenchTests : IDisposable
         Assert.DoesNotContain("http", page, StringComparison.Ordinal);
     }
 
+    // The reference's figures are known of whole sets alone.
+    [Theory]
+    [InlineData("all", false)]
+    [InlineData("odd", true)]
+    [InlineData("even", true)]
+    public void Run_PartOfASetWithAReference_SaysThatThatIsOfAll(string part, bool isSaid)
+    {
+        string folder = Directory.CreateDirectory(_page + ".set").FullName;
+        string set = Directory.CreateDirectory(Path.Combine(folder, "stills")).FullName;
+        foreach (string file in Directory.GetFiles(Stills))
+            File.Copy(file, Path.Combine(set, Path.GetFileName(file)));
+        File.WriteAllText(
+            Path.Combine(folder, "baseline.json"),
+            """
+            { "sets": { "stills": { "colour": { "fa_per_frame": 1, "centroid_rms_px_clear_panels_6px_up": 1,
+              "by_size": { "4-6": "1/2" }, "by_class": {} } } } }
+            """);
+        (int exit, string output, string errors) = Run(false, set, "--part", part);
+        Directory.Delete(folder, recursive: true);
+        Assert.Equal((0, ""), (exit, errors));
+        Assert.Equal(isSaid, output.Contains("OpenCV's figures are of all of them", StringComparison.Ordinal));
+    }
+
+    [Theory]
+    [InlineData("1")]
+    [InlineData("one/2")]
+    [InlineData("1/2/3")]
+    public void Run_ReferenceWithACountThatIsNone_NamesFileAndField(string count)
+    {
+        string folder = Directory.CreateDirectory(_page + ".set").FullName;
+        string set = Directory.CreateDirectory(Path.Combine(folder, "stills")).FullName;
+        foreach (string file in Directory.GetFiles(Stills))
+            File.Copy(file, Path.Combine(set, Path.GetFileName(file)));
+        string baseline = Path.Combine(folder, "baseline.json");
+        File.WriteAllText(
+            baseline,
+            """
+            { "sets": { "stills": { "colour": { "fa_per_frame": 1, "centroid_rms_px_clear_panels_6px_up": 1,
+              "by_size": { "4-6": "COUNT" }, "by_class": {} } } } }
+            """.Replace("COUNT", count));
+        (int exit, _, string errors) = Run(false, set);
+        Directory.Delete(folder, recursive: true);
+        Assert.Equal(2, exit);
+        Assert.Equal(
+            $"{baseline}: \"sets.stills.colour.by_size.4-6\" is not a count as 5/9", errors.TrimEnd());
+    }
+
     [Fact]
     public void Run_OnATerminal_ShowsABarAndTakesItAway()
     {
@@ -96,10 +143,23 @@ public sealed class VisionBenchTests : IDisposable
             errors.TrimEnd());
     }
 
+    [Fact]
+    public void Run_FolderOfSetsWithAListOfFiles_SaysWhichSetsAreInIt()
+    {
+        string folder = Directory.CreateDirectory(_page + ".sets").FullName;
+        File.WriteAllText(Path.Combine(folder, "manifest.json"), "[{ \"path\": \"a.jpg\" }]");
+        File.WriteAllText(Path.Combine(Directory.CreateDirectory(Path.Combine(folder, "a")).FullName, "truth.json"), "");
+        (int exit, _, string errors) = Run(false, folder);
+        Directory.Delete(folder, recursive: true);
+        Assert.Equal(2, exit);
+        Assert.StartsWith($"{folder}: it has no truth.json, but these in it do: a. A set is", errors, StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData("{", " is no truth of a picture set: ")]
     [InlineData("{\"format\":\"other\"}", "its format is \"other\", not \"uav-imagery-truth\"")]
     [InlineData("{\"format\":\"uav-imagery-truth\",\"cameras\":[]}", "\"frames\" is missing")]
+    [InlineData("{\"format\":\"uav-imagery-truth\",\"cameras\":[],\"frames\":[]}", "\"frames\" is empty")]
     public void Run_TruthThatIsNone_IsNamed(string truth, string fault)
     {
         string folder = Directory.CreateDirectory(_page + ".set").FullName;
