@@ -15,7 +15,7 @@ internal static class GroupArguments
     private static readonly string[] Alone =
     [
         "--config", "--sign-key", "--web", "--summary", "--export", "--tlog-dir", "--tlog-size", "--keep-pictures",
-        "--keep-all-pictures", "--progress", "--resume",
+        "--keep-all-pictures", "--progress", "--resume", "--system-id", "--bell", "--on-stop",
     ];
 
     // What a vehicle of a group does not do.
@@ -83,16 +83,18 @@ internal static class GroupArguments
             yield return $"{name} does not go with {Layer.Name}.";
         bool isGroup = Read(result) > 1;
         if (result.GetValue(LayerSpacing) is not null && !isGroup && result.GetValue(Layer) is null)
-            yield return $"{LayerSpacing.Name} needs {Vehicles.Name} or {Layer.Name}.";
+            yield return $"{LayerSpacing.Name} needs {Vehicles.Name} 2 or more, or {Layer.Name}.";
         if (result.GetValue(Commands) is { Length: > 0 } && !isGroup)
-            yield return $"{Commands.Name} needs {Vehicles.Name}: it is for the ground station of a simulated group.";
-        if (!isGroup)
-            yield break;
-        if (!given.IsSimulated)
+            yield return $"{Commands.Name} needs {Vehicles.Name} 2 or more: it is for the ground station of a "
+                + "simulated group.";
+        if (result.GetValue(Vehicles) is not null && !given.IsSimulated)
         {
             yield return "--vehicles is for the simulation; of real vehicles each has a UavConsole of its own.";
             yield break;
         }
+
+        if (!isGroup)
+            yield break;
 
         foreach (ScriptedCommand command in (result.GetValue(Commands) ?? []).Where(c => c.Vehicle > Read(result)))
             yield return $"{Commands.Name} {command.Text}: there is no vehicle {command.Vehicle}; {Vehicles.Name} "

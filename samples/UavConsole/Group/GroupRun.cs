@@ -49,12 +49,10 @@ internal static class GroupRun
 
     private static int Fly(GroupFlight flight, RunFiles files, ConsoleOptions options, TextWriter errors)
     {
-        using var stop = new CancellationTokenSource();
-        Console.CancelKeyPress += (_, e) =>
-        {
-            e.Cancel = e.SpecialKey == ConsoleSpecialKey.ControlC;
-            stop.Cancel();
-        };
+        using var stop = new StopSignal();
+
+        // A second Ctrl-C, or one that comes late, does not cut the summary off.
+        Console.CancelKeyPress += (_, e) => e.Cancel = e.SpecialKey == ConsoleSpecialKey.ControlC;
         var output = GuardedWriter.Create();
         Console.SetOut(output);
         Console.WriteLine(
@@ -64,37 +62,38 @@ internal static class GroupRun
                     ? string.Empty
                     : $"{FlightText.Number(options.MovingCount)} of them moving, ")
                 + $"{FlightText.Number(options.Vehicles)} vehicles");
-        Task run = Task.Factory.StartNew(
+        Task<bool> run = Task.Factory.StartNew(
             () => RunToEnd(flight, options.IsRealTime, stop.Token), CancellationToken.None,
             TaskCreationOptions.LongRunning, TaskScheduler.Default);
         var clock = Stopwatch.StartNew();
         OperatorKeys? keys = options.IsHeadless || !KeyReader.IsPossible
             ? null
-            : new OperatorKeys(new GroupKeys(flight.Station.Station), stop.Cancel);
+            : new OperatorKeys(new GroupKeys(flight.Station.Station), () => stop.Request("key q"));
         if (keys is not null)
             KeyReader.Start(keys, clock);
         string? lost = Show(run, flight, keys, clock, options);
         keys?.Close();
-        run.GetAwaiter().GetResult();
-        flight.Group.Finish();
+        bool isOver = run.GetAwaiter().GetResult();
+        flight.Group.Finish(stop.Reason ?? (isOver ? "the missions are over" : "the missions take too long"));
         foreach (GroupVehicle vehicle in flight.Vehicles)
             vehicle.Refresh();
         FlightSummary[] summaries = flight.Vehicles.Select(v => Summarise(flight, v, options)).ToArray();
         GroupFlightSummary summary = GroupSummary.Of(
-            flight, summaries, options, files.Reports.Skip(1).Select(r => r.Path).ToArray());
+            flight, summaries, options, files.Reports.Skip(1).Select(r => r.Path).ToArray(),
+            isOver ? null : stop.Reason ?? $"{FlightText.Number(MaxSimulation.TotalMinutes, "0")} min are over");
         GroupSummaryText.Write(Console.Out, summary);
         string?[] losses =
         [
             .. WriteReports(files, summary), files.Log?.Loss, lost, output.Loss,
-            .. stop.IsCancellationRequested ? [] : NotGiven(flight),
+            .. stop.Reason is null ? NotGiven(flight) : [], .. NotAnswered(flight),
         ];
         foreach (string loss in losses.OfType<string>())
             FaultLine.Write(errors, loss);
         return losses.Any(l => l is not null) ? BadInput : summary.HasPassed ? 0 : 1;
     }
 
-    // On a thread of its own.
-    private static void RunToEnd(GroupFlight flight, bool isRealTime, CancellationToken stop)
+    // On a thread of its own. Whether all missions are over.
+    private static bool RunToEnd(GroupFlight flight, bool isRealTime, CancellationToken stop)
     {
         var clock = Stopwatch.StartNew();
         SimulatedGroup group = flight.Group;
@@ -109,8 +108,10 @@ internal static class GroupRun
             bool isOver = flight.Vehicles.All(v => v.FetchIsOver());
             over = isOver ? over ?? group.Now : null;
             if (group.Now - over >= Linger)
-                return;
+                break;
         }
+
+        return over is not null;
     }
 
     // A terminal that has closed ends the view, not the flight.
@@ -166,6 +167,9 @@ internal static class GroupRun
         c => $"--command {c.Text} was not given: the flight was over after "
             + $"{FlightText.Number(flight.Group.Now.TotalSeconds, "0")} s.");
 
+    private static IEnumerable<string> NotAnswered(GroupFlight flight) => flight.Station.NotAnswered.Select(
+        c => $"--command {c.Script.Text} was obeyed by no vehicle: {c.Answer}.");
+
     private static IEnumerable<string?> WriteReports(RunFiles files, GroupFlightSummary summary)
     {
         if (files.Report is null)
@@ -173,7 +177,7 @@ internal static class GroupRun
         using var page = new StringWriter();
         GroupHtmlReport.Write(page, summary);
         yield return Write(files.Report, page, "report of the group");
-        for (int i = 0; i < summary.Vehicles.Count; i++)
+        for (int i = 0; i + 1 < files.Reports.Count; i++)
         {
             using var own = new StringWriter();
             HtmlReport.Write(own, summary.Vehicles[i].Flight);

@@ -9,6 +9,7 @@ namespace UavConsole;
 internal sealed class GroupStation
 {
     private readonly Queue<ScriptedCommand> _script;
+    private readonly List<(ScriptedCommand Script, StationCommand Command)> _given = [];
 
     /// <param name="station">The station.</param>
     /// <param name="script">What it commands, in any order.</param>
@@ -28,13 +29,17 @@ internal sealed class GroupStation
     /// <summary>What was not due before the end; after it.</summary>
     public IReadOnlyCollection<ScriptedCommand> NotGiven => _script;
 
+    /// <summary>What was given, and answered by no vehicle, with what is known of it; after the end.</summary>
+    public IEnumerable<(ScriptedCommand Script, string Answer)> NotAnswered
+        => _given.Where(g => g.Command.Answers.All(a => a.Result is null)).Select(g => (g.Script, g.Command.Answer));
+
     /// <summary>Gives what is due; the thread that simulates.</summary>
     public void Update(TimeSpan now)
     {
         while (_script.Count > 0 && _script.Peek().At <= now)
         {
             ScriptedCommand due = _script.Dequeue();
-            Station.Command(due.Vehicle, due.Command, due.TrackId);
+            _given.Add((due, Station.Command(due.Vehicle, due.Command, due.TrackId)));
         }
     }
 }

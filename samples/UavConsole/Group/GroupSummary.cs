@@ -14,9 +14,10 @@ internal static class GroupSummary
     /// <param name="vehicles">How each of them flew, in their order.</param>
     /// <param name="options">What was asked for.</param>
     /// <param name="reports">The files of their reports, beside the group's; none where none is wanted.</param>
+    /// <param name="stoppedBy">What ended the run before the missions were over; null where they were.</param>
     public static GroupFlightSummary Of(
         GroupFlight flight, IReadOnlyList<FlightSummary> vehicles, ConsoleOptions options,
-        IReadOnlyList<string> reports)
+        IReadOnlyList<string> reports, string? stoppedBy)
     {
         MissionScore score = vehicles.Select(v => TargetScoring.Score(flight.Truth, v.Record, null))
             .OrderByDescending(s => s.Found).ThenBy(s => s.FalseTracks.Count)
@@ -35,7 +36,11 @@ internal static class GroupSummary
             Seed = options.Seed,
             FlightTime = flown.Length == 0 ? TimeSpan.Zero : flown.Max(p => p.Time) - flown.Min(p => p.Time),
             Score = score,
-            Failures = FailuresOf(flight, new GroupFlightSummary(all), score).ToArray(),
+            Failures =
+            [
+                .. stoppedBy is null ? [] : new[] { "the run was stopped before its end: " + stoppedBy },
+                .. FailuresOf(flight, new GroupFlightSummary(all), score),
+            ],
         };
     }
 

@@ -27,8 +27,8 @@ internal sealed class RunFiles : IDisposable
     public WholeFile? Report => Reports.Count > 0 ? Reports[0] : null;
 
     /// <summary>
-    /// The one of the only vehicle; of several vehicles that of the group and then one for each of them. None where
-    /// none is wanted.
+    /// The one of the only vehicle; of several vehicles that of the group and then one for each of them, unless it goes
+    /// to a device. None where none is wanted.
     /// </summary>
     public IReadOnlyList<WholeFile> Reports { get; }
 
@@ -45,20 +45,21 @@ internal sealed class RunFiles : IDisposable
     /// </exception>
     public static RunFiles Open(ConsoleOptions options, string? mission)
     {
-        string? report = options.ReportFile ?? (mission is null ? null : DefaultReport(mission));
+        string[] reports = ReportsOf(
+            options.ReportFile ?? (mission is null ? null : DefaultReport(mission)), options.Vehicles).ToArray();
         CheckTheyDiffer(
         [
-            ("--config", options.Config?.Path), (options.MissionOption, options.MissionFile),
+            .. reports.Select(r => ("--report", (string?)r)), ("--config", options.Config?.Path), (options.MissionOption, options.MissionFile),
             ("--truth", options.TruthFile), ("--sign-key", options.SignKeyFile),
             ("--progress", options.Operator.ProgressFile), ("--originals", options.Preflight.OriginalsFile),
-            ("--summary", options.SummaryFile), ("--report", report), ("--log", options.LogFile),
+            ("--summary", options.SummaryFile), ("--log", options.LogFile),
             .. options.Reporting.Exports.Select(e => ("--export", (string?)e)),
         ]);
         if (options.Preflight.SetsFailsafes || options.Preflight.UploadsFence)
             OutputPath.CheckReplaced("--originals", options.Preflight.OriginalsFile);
         return new RunFiles(
             OutputPath.Check("--summary", options.SummaryFile, options.Links),
-            ReportsOf(report, options.Vehicles).Select(r => OutputPath.Check("--report", r, options.Links)!).ToArray(),
+            reports.Select(r => OutputPath.Check("--report", r, options.Links)!).ToArray(),
             OutputPath.Check("--log", options.LogFile, options.Links),
             options.Reporting.Exports.Select(e => OutputPath.Check("--export", e, options.Links)!).ToArray());
     }
@@ -82,13 +83,14 @@ internal sealed class RunFiles : IDisposable
     }
 
     // Beside that of the group each vehicle has its own: of search-report.html search-report-vehicle-1.html and so on.
+    // Beside a device no file can be.
     private static IEnumerable<string> ReportsOf(string? report, int vehicles)
     {
         if (report is null)
             return [];
         string end = Path.GetExtension(report);
         string stem = report.Remove(report.Length - end.Length);
-        return vehicles == 1
+        return vehicles == 1 || OutputPath.IsOfDevice(report)
             ? [report]
             : Enumerable.Range(1, vehicles)
                 .Select(v => stem + "-vehicle-" + v.ToString(CultureInfo.InvariantCulture) + end).Prepend(report);

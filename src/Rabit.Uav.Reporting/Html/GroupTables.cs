@@ -11,6 +11,7 @@ namespace Rabit.Uav.Reporting.Html;
 internal sealed class GroupTables(PageWriter page, GroupFlightSummary data)
 {
     private const int MaxDecisions = 1_500;
+    private const int HashDigitsShown = 16;
 
     public void WriteVehicles()
     {
@@ -61,12 +62,24 @@ internal sealed class GroupTables(PageWriter page, GroupFlightSummary data)
         page.Open("section").Element("h2", "Run").Open("div", "class", "card").Open("dl", "class", "run");
         page.Fact("command line", data.CommandLine);
         page.Fact("flown", data.Source);
+        string operators = EachOnce(f => f.OperatorName);
+        page.Fact("operator", operators.Length > 0 ? operators : "not named");
+        string missions = EachOnce(MissionFileOf);
+        if (missions.Length > 0)
+            page.Fact("mission file", missions);
         if (data.Seed is { } seed)
             page.Fact("seed", FlightText.Number(seed));
-        page.Fact("ended by", string.Join("; ", data.Vehicles.Select(v => v.Flight.StopReason).Distinct(
-            StringComparer.Ordinal)));
+        page.Fact("ended by", EachOnce(f => f.StopReason));
         page.Close().Close().Close();
     }
+
+    private string EachOnce(Func<FlightSummary, string> textOf) => string.Join(
+        "; ", data.Vehicles.Select(v => textOf(v.Flight)).Where(t => t.Length > 0).Distinct(StringComparer.Ordinal));
+
+    // The whole hash is in the report of the vehicle.
+    private static string MissionFileOf(FlightSummary flight) => flight.MissionFileSha256.Length > HashDigitsShown
+        ? $"{flight.MissionFile}, SHA-256 {flight.MissionFileSha256.Substring(0, HashDigitsShown)}…"
+        : flight.MissionFile;
 
     private void WriteVehicle(int index)
     {

@@ -139,11 +139,12 @@ public sealed class SimulatedGroup
     }
 
     /// <summary>Stops and finishes all that still run.</summary>
-    public void Finish()
+    /// <param name="reason">Why, for the results of the reactors.</param>
+    public void Finish(string reason = "the group ends")
     {
         foreach (SimulatedGroupVehicle vehicle in Vehicles.Where(v => v.HasStarted && v.Result is null))
         {
-            vehicle.Reactor!.Stop("the group ends");
+            vehicle.Reactor!.Stop(reason);
             vehicle.Result = vehicle.Reactor.Finish();
         }
     }

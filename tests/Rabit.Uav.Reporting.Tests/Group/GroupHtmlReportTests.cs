@@ -72,6 +72,28 @@ public sealed class GroupHtmlReportTests
         Assert.Contains("target T1 was not found", words);
     }
 
+    // Each once, however many vehicles say the same.
+    [Fact]
+    public void Write_Run_NamesOperatorAndMissionFiles()
+    {
+        static GroupVehicleSummary With(byte systemId, string operatorName, string file) => new(
+            systemId,
+            new FlightSummary(MadeUpFlight.Record())
+            {
+                OperatorName = operatorName,
+                MissionFile = file,
+                MissionFileSha256 = new string('a', 64),
+            });
+        string[] facts = Page(new GroupFlightSummary(
+                [With(1, "J. <Miller>", "a.json"), With(2, "J. <Miller>", "a.json"), With(3, "", "b.json")]))
+            .Descendants(Html + "dd").Select(d => d.Value).ToArray();
+
+        Assert.Contains("J. <Miller>", facts);
+        Assert.Contains("a.json, SHA-256 aaaaaaaaaaaaaaaa…; b.json, SHA-256 aaaaaaaaaaaaaaaa…", facts);
+        Assert.Contains("not named", Page(new GroupFlightSummary([With(1, "", "a.json")]))
+            .Descendants(Html + "dd").Select(d => d.Value));
+    }
+
     [Fact]
     public void Write_VehicleThatNeverWasSwitchedOn_IsARowWithoutFigures()
     {
