@@ -29,6 +29,9 @@ internal sealed class TargetFollower
     // that the vehicle gets over a target at speed.
     private const double GimbalLeadSeconds = 2.5;
 
+    // Of a fixed camera: half of the shorter side of usual pictures.
+    private const double MaxPitchDegrees = -70;
+
     // Nearer than this there is no point in another command.
     private const double NewGoalMetres = 1;
 
@@ -86,6 +89,10 @@ internal sealed class TargetFollower
         _wayThere = TimeSpan.OfSeconds(2 * first.DistanceTo(_goal) / Speed(flight));
         Command(flight, first);
     }
+
+    /// <summary>Whether the camera can show what the vehicle flies over: it looks down, or a gimbal has it do so.</summary>
+    public static bool CanSee(MissionFlight flight)
+        => flight.Camera.IsThere || flight.Mission.CameraPitch.Degrees <= MaxPitchDegrees;
 
     /// <summary>How long the target was in view.</summary>
     public TimeSpan InView { get; private set; }

@@ -27,7 +27,7 @@ internal sealed partial class MissionGroup
     private static readonly TimeSpan MaxShareWait = TimeSpan.FromSeconds(5);
 
     // Tasks of which it was logged.
-    private readonly HashSet<(byte Finder, ushort Session, ushort Number)> _overBudget = [];
+    private readonly HashSet<(byte Finder, ushort Session, ushort Number)> _notForUs = [];
 
     private FollowBook? _following;
     private FollowLinks? _links;
@@ -201,8 +201,8 @@ internal sealed partial class MissionGroup
     private static PlanePoint PlaceOf(FollowEntry entry, MissionFlight flight)
         => FollowMark.Of(entry.Task, flight.Plan!.Frame).PlaceAt(flight.Now, maxSeconds: 3);
 
-    // Null where we cannot: not in the air, busy with another one, needed to search, or with too little energy or
-    // budget.
+    // Null where we cannot: not in the air, busy with another one, needed to search, with too little energy or budget,
+    // or with a camera that does not show what we fly over.
     private double? SecondsTo(MissionFlight flight, FollowEntry entry)
     {
         if (CurrentFollow is { } current)
@@ -223,15 +223,17 @@ internal sealed partial class MissionGroup
         double then = entry.Task.Follower == 0 ? MinFollowSeconds : MinReliefSeconds;
         EnergyStatus energy = flight.Energy.Status;
         bool isEnough = !energy.IsKnown || energy.TimeToReturn.ExactSeconds > seconds + then + ReserveSeconds;
-        return isEnough && IsWithinBudget(flight, entry, place) && RevisitPass.Plan(flight, place) is not null
+        return isEnough && IsForUs(flight, entry, place) && RevisitPass.Plan(flight, place) is not null
             ? seconds
             : null;
     }
 
-    private bool IsWithinBudget(MissionFlight flight, FollowEntry entry, PlanePoint place)
+    private bool IsForUs(MissionFlight flight, FollowEntry entry, PlanePoint place)
     {
-        string? why = flight.Revisits.WhyNotFollowed(flight, place);
-        if (why is not null && _overBudget.Add(entry.Key))
+        string? why = TargetFollower.CanSee(flight)
+            ? flight.Revisits.WhyNotFollowed(flight, place)
+            : "needs a camera that looks down, or a gimbal, to be followed";
+        if (why is not null && _notForUs.Add(entry.Key))
             flight.Log($"{FollowBook.Name(entry.Task)} {why}: not for us");
         return why is null;
     }

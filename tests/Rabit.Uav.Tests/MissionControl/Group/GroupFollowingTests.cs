@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 using Xunit;
@@ -10,6 +11,7 @@ namespace Rabit.Uav.Tests.MissionControl.Group;
 /// <summary>A target that moves is followed by one vehicle of a group, and the others fly its lanes.</summary>
 public sealed class GroupFollowingTests
 {
+    private const string ForwardCamera = ", \"camera\": { \"pitchDegrees\": -45 }";
     private const string Field = "[[60,-180],[60,180],[360,180],[360,-180]]";
 
     [Fact]
@@ -56,6 +58,42 @@ public sealed class GroupFollowingTests
         Add(rig, Walker(0.5));
         Assert.True(rig.RunToEnd(), rig.Story);
         Assert.Equal(FollowResult.Followed, Assert.Single(Tasks(rig)).Result);
+    }
+
+    // Over the target a camera that is fixed and looks forward does not show it.
+    [Fact]
+    public void Target_CameraOfOneIsFixedAndLooksForward_IsFollowedByTheOther()
+    {
+        using GroupRig rig = Open(2, followSeconds: 20, cameraOfAllButTheLast: ForwardCamera);
+        Add(rig, Walker(0.5));
+        Assert.True(rig.RunToEnd(), rig.Story);
+
+        FollowTask task = Assert.Single(Tasks(rig));
+        Assert.Equal((FollowResult.Followed, (byte)2), (task.Result, task.Follower));
+        Assert.DoesNotContain(rig.Rigs[0].Decisions, d => d.Contains("to follow moving target"));
+        Assert.Single(
+            rig.Rigs[0].Decisions,
+            d => d.Contains("needs a camera that looks down, or a gimbal, to be followed: not for us"));
+    }
+
+    // One that is silent is not pointed.
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void Target_CameraIsOnAGimbal_IsForItWhereTheGimbalReports(bool reports)
+    {
+        using GroupRig rig = Open(
+            2, followSeconds: 20, cameraOfAllButTheLast: ForwardCamera.Replace("}", ", \"gimbal\": true }"));
+        rig.Lost.Add(1);
+        MissionRig first = rig.Rigs[0];
+        first.Vehicle.More = (ref VehicleState state) =>
+        {
+            state.Attitude = EulerAngles.FromRadians(0, 0, first.Vehicle.Yaw);
+            state.GimbalTime = reports ? first.Now : null;
+        };
+        Add(rig, Walker(0.5));
+        Assert.True(rig.RunToEnd(), rig.Story);
+        Assert.Equal(reports, rig.Rigs[0].Decisions.Any(d => d.Contains("to follow moving target 1 of vehicle 1")));
     }
 
     [Fact]
@@ -368,16 +406,18 @@ public sealed class GroupFollowingTests
 
     private static GroupRig Open(
         int vehicles, int seed = 1, double followSeconds = 20, string area = Field, int firstLayer = 0,
-        double maxWayFraction = 2)
-        => new(
-            vehicles,
-            MissionRig.Mission(
-                ", \"targetMotions\": { \"red\": \"walking\" }, "
-                    + "\"revisit\": { \"maxWayFraction\": "
-                    + maxWayFraction.ToString(System.Globalization.CultureInfo.InvariantCulture)
-                    + ", \"followSeconds\": "
-                    + followSeconds.ToString(System.Globalization.CultureInfo.InvariantCulture) + " }",
-                area),
-            seed,
-            (number, options) => options.Group!.HeightLayer = firstLayer + number);
+        double maxWayFraction = 2, string cameraOfAllButTheLast = "")
+    {
+        MissionPlan Mission(string camera) => MissionRig.Mission(
+            camera + ", \"targetMotions\": { \"red\": \"walking\" }, "
+                + "\"revisit\": { \"maxWayFraction\": "
+                + maxWayFraction.ToString(System.Globalization.CultureInfo.InvariantCulture)
+                + ", \"followSeconds\": "
+                + followSeconds.ToString(System.Globalization.CultureInfo.InvariantCulture) + " }",
+            area);
+        return new GroupRig(
+            vehicles, Mission(cameraOfAllButTheLast), seed,
+            (number, options) => options.Group!.HeightLayer = firstLayer + number,
+            missionOfTheLast: Mission(string.Empty));
+    }
 }

@@ -10,7 +10,7 @@ namespace Rabit.Uav.Tests.MissionControl.Group;
 
 /// <summary>
 /// Several Mission Controls with stand-in vehicles in lock step, and a radio between them that loses what the test
-/// says. Homes are in a row to the east, 20 m apart; the system ids are 1, 2 and so on.
+/// says. Homes are in a row to the east, 20 m apart unless it says otherwise; the system ids are 1, 2 and so on.
 /// </summary>
 internal sealed class GroupRig : IDisposable
 {
@@ -21,7 +21,8 @@ internal sealed class GroupRig : IDisposable
     private int _switchedOn;
 
     public GroupRig(
-        int vehicles, MissionPlan? mission = null, int seed = 1, Action<int, MissionControlOptions>? change = null)
+        int vehicles, MissionPlan? mission = null, int seed = 1, Action<int, MissionControlOptions>? change = null,
+        MissionPlan? missionOfTheLast = null, double homesApartMetres = 20)
     {
         Seed = seed;
         _random = new Random(seed);
@@ -33,14 +34,14 @@ internal sealed class GroupRig : IDisposable
             var end = new RadioEnd((byte)(i + 1));
             _ends.Add(end);
             Rigs.Add(new MissionRig(
-                mission ?? MissionRig.Mission(),
+                (number == vehicles - 1 ? missionOfTheLast : null) ?? mission ?? MissionRig.Mission(),
                 options =>
                 {
                     options.Group = new GroupOptions { HeightLayer = number };
                     change?.Invoke(number, options);
                 },
                 seed + i,
-                frame.ToGeodetic(new NedPosition(0, 20 * i, 0)),
+                frame.ToGeodetic(new NedPosition(0, homesApartMetres * i, 0)),
                 end.Join));
         }
     }
