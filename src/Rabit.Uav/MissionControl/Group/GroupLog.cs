@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 
 namespace Rabit.Uav.MissionControl;
 
@@ -9,8 +10,12 @@ internal sealed class GroupLog(Action<string> log)
     private readonly SortedSet<byte> _present = [];
     private readonly HashSet<byte> _now = [];
     private readonly HashSet<byte> _twice = [];
+    private readonly HashSet<byte> _elsewhere = [];
 
-    public void Update(IEnumerable<byte> present, IEnumerable<byte> all)
+    /// <param name="present">Those of the group that are received.</param>
+    /// <param name="all">All that ever were of it.</param>
+    /// <param name="elsewhere">Those that are received and fly another mission.</param>
+    public void Update(IEnumerable<byte> present, IEnumerable<byte> all, IReadOnlyList<byte> elsewhere)
     {
         _now.Clear();
         _now.UnionWith(present);
@@ -18,8 +23,18 @@ internal sealed class GroupLog(Action<string> log)
         {
             if (_now.Contains(id) && _present.Add(id))
                 log($"vehicle {MissionNumbers.Of(id)} is in the group");
-            else if (!_now.Contains(id) && _present.Remove(id))
+            else if (!_now.Contains(id) && _present.Remove(id) && !elsewhere.Contains(id))
                 log($"vehicle {MissionNumbers.Of(id)} is not received any more");
+        }
+
+        _elsewhere.ExceptWith(_now);
+        foreach (byte id in elsewhere)
+        {
+            if (_elsewhere.Add(id))
+            {
+                log($"vehicle {MissionNumbers.Of(id)} is not of our group: the area, keepOuts, lane spacing or heading "
+                    + "of its mission are others; nothing is shared with it but the air");
+            }
         }
     }
 

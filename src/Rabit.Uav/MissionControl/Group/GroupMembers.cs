@@ -6,7 +6,10 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>The other vehicles of a group, by their reports. One thread.</summary>
+/// <summary>
+/// The other vehicles of a group, by their reports, and those that fly another mission: nothing is shared with these,
+/// but they are in the same air. One thread.
+/// </summary>
 internal sealed class GroupMembers(TimeSpan silentAfter)
 {
     /// <summary>More vehicles than this are not known, and their reports are counted.</summary>
@@ -19,6 +22,7 @@ internal sealed class GroupMembers(TimeSpan silentAfter)
     private static readonly TimeSpan TwiceMemory = TimeSpan.FromSeconds(30);
 
     private readonly SortedDictionary<byte, GroupTraffic> _traffic = [];
+    private readonly SortedDictionary<byte, GroupTraffic> _elsewhere = [];
 
     // By system id: reports from elsewhere, and whether the first one was received after such a one.
     private readonly SortedDictionary<byte, (double Metres, TimeSpan Time, bool IsSure)> _twice = [];
@@ -33,14 +37,17 @@ internal sealed class GroupMembers(TimeSpan silentAfter)
     /// <summary>Takes a report.</summary>
     /// <param name="envelope">The report.</param>
     /// <param name="ownSystemId">Ours: another one with it is refused.</param>
-    /// <param name="lanesKey">The key of our lanes: others are not of our group.</param>
+    /// <param name="lanesKey">The key of our lanes: who flies others is not of our group.</param>
     /// <param name="now">The time.</param>
     public void Receive(in Envelope<GroupReport> envelope, byte ownSystemId, uint lanesKey, TimeSpan now)
     {
         byte source = envelope.SourceSystemId;
         bool isKnown = _traffic.TryGetValue(source, out GroupTraffic? last);
         TimeSpan time = envelope.SentTime < now ? envelope.SentTime : now;
-        bool isOurs = source != 0 && source != ownSystemId && envelope.Content.LanesKey == lanesKey;
+        bool isOther = source != 0 && source != ownSystemId;
+        bool isOurs = isOther && envelope.Content.LanesKey == lanesKey;
+        if (isOther && !isOurs)
+            TakeElsewhere(source, envelope.Content, time);
         if (!isOurs || (!isKnown && _traffic.Count >= MaxMembers))
             Refused++;
         else if (last is not null && IsOfAnother(source, envelope.Content, last, now))
@@ -69,17 +76,38 @@ internal sealed class GroupMembers(TimeSpan silentAfter)
 
     /// <summary>Those that are received, in the order of their system ids.</summary>
     public IEnumerable<(byte SystemId, GroupReport Report)> Present(TimeSpan now)
-        => PresentTraffic(now).Select(t => (t.SystemId, t.Traffic.Report));
+        => Received(_traffic, now).Select(t => (t.SystemId, t.Traffic.Report));
 
-    /// <summary>As <see cref="Present"/>, with how they move.</summary>
+    /// <summary>Those that are received and fly another mission: they are not of our group.</summary>
+    public IEnumerable<byte> Elsewhere(TimeSpan now)
+        => Received(_elsewhere, now).Select(t => t.SystemId).Where(id => !IsPresent(id, now));
+
+    /// <summary>All that are received, also those of other missions, with how they move.</summary>
     public IEnumerable<(byte SystemId, GroupTraffic Traffic)> PresentTraffic(TimeSpan now)
-        => _traffic.Where(t => now - t.Value.Time <= silentAfter).Select(t => (t.Key, t.Value));
+        => Received(_traffic, now).Concat(Received(_elsewhere, now));
 
     /// <summary>Forgets all: the lanes are others now.</summary>
     public void Clear()
     {
         _traffic.Clear();
+        _elsewhere.Clear();
         _twice.Clear();
+    }
+
+    private IEnumerable<(byte SystemId, GroupTraffic Traffic)> Received(
+        SortedDictionary<byte, GroupTraffic> traffic, TimeSpan now)
+        => traffic.Where(t => now - t.Value.Time <= silentAfter).Select(t => (t.Key, t.Value));
+
+    private void TakeElsewhere(byte source, in GroupReport report, TimeSpan time)
+    {
+        if (!_elsewhere.TryGetValue(source, out GroupTraffic? last))
+        {
+            if (_elsewhere.Count >= MaxMembers)
+                return;
+            _elsewhere[source] = last = new GroupTraffic();
+        }
+
+        last.Take(report, time);
     }
 
     // Of two vehicles with one system id the one that was there first counts while it is received: which of them the

@@ -6,7 +6,7 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// Finds the vehicles of the group that are, or soon will be, too near: less than
+/// Finds the vehicles, of the group or of another mission, that are, or soon will be, too near: less than
 /// <see cref="HorizontalMetres"/> over ground and <see cref="GroupOptions.SeparationMetres"/> in height. While each is
 /// in its layer there are none; one that lands where it is, or is held on its way down, is in the layers of others.
 /// One thread.
@@ -87,9 +87,9 @@ internal sealed class GroupSeparation(GroupMembers members)
     /// <summary>
     /// Whether a vehicle flies that is neither over its landing place nor sure to stay in its layer.
     /// </summary>
-    public bool IsAnyOutOfLayer(TimeSpan now) => members.Present(now).Any(m => IsFlying(m.Report)
-        && (m.Report.State == GroupMemberState.Leaving || !IsInLayer(m.Report))
-        && DistanceFromLanding(m.Report) > LandingMetres);
+    public bool IsAnyOutOfLayer(TimeSpan now) => members.PresentTraffic(now).Select(t => t.Traffic.Report).Any(
+        r => IsFlying(r) && (r.State == GroupMemberState.Leaving || !IsInLayer(r))
+            && DistanceFromLanding(r) > LandingMetres);
 
     /// <summary>Whether a vehicle flies where we would climb to our layer; not one over its landing place.</summary>
     /// <param name="place">Where we stand.</param>

@@ -1,3 +1,7 @@
+using System;
+using Rabit.Geodesy;
+using Rabit.Uav.Messages;
+
 namespace Rabit.Uav.MissionControl;
 
 // Vehicles that are not in their layer are given way to.
@@ -40,4 +44,53 @@ internal sealed partial class MissionGroup
 
     /// <summary>No leg is flown any more.</summary>
     public void EndGiveWay() => _giveWay?.End();
+
+    /// <summary>What of the others is in the way of a take-off; null where nothing is.</summary>
+    public string? FindConflict(MissionFlight flight)
+    {
+        if (SystemId == 0)
+            return "our system id is not known yet";
+        if ((flight.Health.Reasons & HealthReasons.AddressConflict) != 0)
+        {
+            return $"another vehicle has our system id {MissionNumbers.Of(SystemId)}, or two links lead to ours: each "
+                + "vehicle needs one of its own";
+        }
+
+        foreach ((byte id, GroupTraffic traffic) in _members.PresentTraffic(flight.Now))
+        {
+            GroupReport report = traffic.Report;
+            NedPosition off = LocalNedFrame.IgnoringGeoid(flight.Vehicle.Position).ToNed(report.LandingPlace);
+            double apart = new PlanePoint(off.North, off.East).Length;
+            if (apart < MinLandingDistanceMetres)
+            {
+                return $"vehicle {MissionNumbers.Of(id)} lands {MissionNumbers.Of(apart)} m from here; at least "
+                    + $"{MissionNumbers.Of(MinLandingDistanceMetres)} m are needed";
+            }
+
+            if (GroupSeparation.IsInTheWayOfTheClimb(flight.Vehicle.Position, _own, report))
+                return $"vehicle {MissionNumbers.Of(id)} flies over this place, in the way of the climb";
+
+            // Of another mission it is not known whether it flies over the same ground.
+            double height = Math.Abs(report.SearchAltitudeAmslMetres - _own.SearchAltitudeAmslMetres);
+            if (height < GroupOptions.SeparationMetres && _members.IsPresent(id, flight.Now) && GoesFirst(id, report))
+            {
+                return $"vehicle {MissionNumbers.Of(id)} searches {MissionNumbers.Of(height)} m above or below our "
+                    + $"height; at least {MissionNumbers.Of(GroupOptions.SeparationMetres)} m are needed: "
+                    + $"each needs a {nameof(GroupOptions.HeightLayer)} of its own, far enough from the next one for "
+                    + $"the errors of heights ({nameof(GroupOptions.LayerSpacingMetres)})";
+            }
+        }
+
+        return null;
+    }
+
+    private bool GoesFirst(byte id, in GroupReport report) => report.State switch
+    {
+        GroupMemberState.Available or GroupMemberState.Following => true,
+        GroupMemberState.Waiting => id < SystemId || IsInTheAir(report),
+        _ => IsInTheAir(report),
+    };
+
+    private static bool IsInTheAir(in GroupReport report)
+        => report.Position.AltitudeAmslMetres - report.LandingPlace.AltitudeAmslMetres > FlyingMetres;
 }

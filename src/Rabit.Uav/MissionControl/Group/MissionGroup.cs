@@ -129,7 +129,9 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
                 Sender?.Send(seen);
         }
 
-        _log.Update(present.Select(m => m.SystemId), _members.All.Select(m => m.SystemId));
+        _log.Update(
+            present.Select(m => m.SystemId), _members.All.Select(m => m.SystemId),
+            _members.Elsewhere(flight.Now).ToArray());
         foreach ((byte id, _, _) in _members.All)
             _log.UpdateTwice(id, _members.FindTwice(id, flight.Now));
         Sender?.Report(_own, flight.Now);
@@ -215,43 +217,6 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         return !(_isSpent |= isSpent);
     }
 
-    /// <summary>What of the others is in the way of a take-off; null where nothing is.</summary>
-    public string? FindConflict(MissionFlight flight)
-    {
-        if (SystemId == 0)
-            return "our system id is not known yet";
-        if ((flight.Health.Reasons & HealthReasons.AddressConflict) != 0)
-        {
-            return $"another vehicle has our system id {MissionNumbers.Of(SystemId)}, or two links lead to ours: each "
-                + "vehicle needs one of its own";
-        }
-
-        foreach ((byte id, GroupReport report) in _members.Present(flight.Now))
-        {
-            NedPosition off = LocalNedFrame.IgnoringGeoid(flight.Vehicle.Position).ToNed(report.LandingPlace);
-            double apart = new PlanePoint(off.North, off.East).Length;
-            if (apart < MinLandingDistanceMetres)
-            {
-                return $"vehicle {MissionNumbers.Of(id)} lands {MissionNumbers.Of(apart)} m from here; at least "
-                    + $"{MissionNumbers.Of(MinLandingDistanceMetres)} m are needed";
-            }
-
-            if (GroupSeparation.IsInTheWayOfTheClimb(flight.Vehicle.Position, _own, report))
-                return $"vehicle {MissionNumbers.Of(id)} flies over this place, in the way of the climb";
-
-            double height = Math.Abs(report.SearchAltitudeAmslMetres - _own.SearchAltitudeAmslMetres);
-            if (height < GroupOptions.SeparationMetres && GoesFirst(id, report))
-            {
-                return $"vehicle {MissionNumbers.Of(id)} searches {MissionNumbers.Of(height)} m above or below our "
-                    + $"height; at least {MissionNumbers.Of(GroupOptions.SeparationMetres)} m are needed: "
-                    + $"each needs a {nameof(GroupOptions.HeightLayer)} of its own, far enough from the next one for "
-                    + $"the errors of heights ({nameof(GroupOptions.LayerSpacingMetres)})";
-            }
-        }
-
-        return null;
-    }
-
     /// <summary>Whether nothing is left to do: the others have seen the area, and wait for nothing.</summary>
     /// <param name="flight">The state of the mission; with a plan.</param>
     public bool IsSearched(MissionFlight flight)
@@ -260,16 +225,6 @@ internal sealed partial class MissionGroup(GroupOptions options, Action<string> 
         return flight.RequiredCoverage > 0 && flight.SeenFraction >= flight.CoverageGoal
             && _validation?.IsPending != true && _following?.IsPending != true;
     }
-
-    private bool GoesFirst(byte id, in GroupReport report) => report.State switch
-    {
-        GroupMemberState.Available or GroupMemberState.Following => true,
-        GroupMemberState.Waiting => id < SystemId || IsInTheAir(report),
-        _ => IsInTheAir(report),
-    };
-
-    private static bool IsInTheAir(in GroupReport report)
-        => report.Position.AltitudeAmslMetres - report.LandingPlace.AltitudeAmslMetres > FlyingMetres;
 
     // Another plan is another area: the operator has changed it.
     private void NotePlan(MissionFlight flight)

@@ -45,10 +45,13 @@ public sealed class GroupGiveWayTests
         Assert.InRange(rig.Seconds - from, 9, 12);
     }
 
-    [Fact]
-    public void Way_AnotherOneIsHeldInIt_IsLeftAndFlownInTheEnd()
+    // One that flies another mission is in the same air.
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Way_AnotherOneIsHeldInIt_IsLeftAndFlownInTheEnd(bool hasAnotherMission)
     {
-        using GroupRig rig = Open();
+        using GroupRig rig = Open(hasAnotherMission);
         rig.Rigs[1].Manager.Hold("test", "look");
         Place(rig, ahead: 90, height: rig.Rigs[0].Vehicle.Height);
 
@@ -82,10 +85,13 @@ public sealed class GroupGiveWayTests
         Assert.True(rig.RunToEnd(), rig.Story);
     }
 
-    [Fact]
-    public void TakeOff_AnotherOneIsHeldOverThePlace_WaitsUntilItIsGone()
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void TakeOff_AnotherOneIsHeldOverThePlace_WaitsUntilItIsGone(bool hasAnotherMission)
     {
-        using GroupRig rig = new(2, MissionRig.Mission(area: Field)) { SwitchedOn = 1 };
+        using GroupRig rig = Create(hasAnotherMission);
+        rig.SwitchedOn = 1;
         Assert.True(rig.RunUntil(() => rig.Rigs[0].Status.Phase == MissionPhase.Searching, 100), rig.Story);
         rig.Rigs[0].Manager.Hold("test", "look");
         rig.Run(5);
@@ -101,10 +107,14 @@ public sealed class GroupGiveWayTests
         Assert.True(rig.RunToEnd(), rig.Story);
     }
 
+    private static GroupRig Create(bool hasAnotherMission) => new(
+        2, MissionRig.Mission(area: Field),
+        missionOfTheLast: hasAnotherMission ? MissionRig.Mission(",\"laneHeadingDegrees\":0", Field) : null);
+
     // Both search, the first one on a lane for some time yet.
-    private static GroupRig Open()
+    private static GroupRig Open(bool hasAnotherMission = false)
     {
-        var rig = new GroupRig(2, MissionRig.Mission(area: Field));
+        GroupRig rig = Create(hasAnotherMission);
         bool isReady = rig.RunUntil(
             () => rig.Rigs.All(r => r.Status.Phase == MissionPhase.Searching)
                 && Math.Abs(rig.Rigs[0].Vehicle.East) < 60 && SpeedOf(rig) > 4,

@@ -67,18 +67,38 @@ public sealed class GroupMembersTests
         Assert.Null(_members.FindTwice(2, Time(40)));
     }
 
+    // Nothing is shared with it, but it is in the same air.
+    [Fact]
+    public void Receive_OfOtherLanes_IsNoMemberAndKnownWhileItIsReceived()
+    {
+        for (int second = 0; second < 3; second++)
+            Receive(second, eastMetres: 40, lanesKey: 8);
+
+        Assert.Empty(_members.All);
+        Assert.Equal(3, _members.Refused);
+        Assert.Equal(2, Assert.Single(_members.Elsewhere(Time(3))));
+        Assert.Equal(40, EastOf(_members.PresentTraffic(Time(3)).Single().Traffic.Report), 0.01);
+        Assert.Empty(_members.Elsewhere(Time(8)));
+        Assert.Empty(_members.PresentTraffic(Time(8)));
+
+        Receive(9, eastMetres: 40, lanesKey: 8);
+        Receive(9.5, eastMetres: 40);
+        Assert.Empty(_members.Elsewhere(Time(10)));
+        Assert.Single(_members.Present(Time(10)));
+    }
+
     private static TimeSpan Time(double seconds) => TimeSpan.FromSeconds(seconds);
 
     private static double EastOf(in GroupReport report) => Frame.ToNed(report.LandingPlace).East;
 
-    private void Receive(double seconds, double eastMetres) => _members.Receive(
+    private void Receive(double seconds, double eastMetres, uint lanesKey = 7) => _members.Receive(
         new Envelope<GroupReport>
         {
             SourceSystemId = 2,
             SentTime = Time(seconds),
             Content = new GroupReport
             {
-                LanesKey = 7,
+                LanesKey = lanesKey,
                 LandingPlace = Frame.ToGeodetic(new NedPosition(0, eastMetres, 0)),
             },
         },

@@ -243,8 +243,8 @@ public sealed class GroupSearchTests
             rig.RunUntil(
                 () => Enumerable.Range(0, 3).All(
                     i => rig.StatusOf(i).DivisionAuthor == 1 && rig.ShareOf(i).Count < 10),
-                30),
-            rig.Story);
+                5),
+            "within 5 s " + rig.Story);
         Assert.True(rig.RunToEnd(), rig.Story);
         Assert.All(rig.Rigs, r => Assert.True(r.Status.Coverage >= 0.98, rig.Story));
     }
@@ -259,6 +259,43 @@ public sealed class GroupSearchTests
         rig.Loss = 0.4;
         Assert.True(rig.RunToEnd(), rig.Story);
         Assert.True(rig.Rigs.Max(r => r.Status.Coverage) >= 0.98, rig.Story);
+    }
+
+    // A mission file that is not the same everywhere: each searches alone, and says why.
+    [Fact]
+    public void Mission_OfTheOtherIsAnother_BothSaySoOnceAndShareNothing()
+    {
+        using var rig = new GroupRig(
+            2, MissionRig.Mission(area: Field),
+            missionOfTheLast: MissionRig.Mission(",\"laneHeadingDegrees\":0", Field));
+        Assert.True(rig.RunUntil(() => rig.Rigs.All(r => r.Status.LanesFlown >= 1), 300), rig.Story);
+
+        for (int i = 0; i < 2; i++)
+        {
+            Assert.Single(rig.Rigs[i].Decisions, d => d.Contains(
+                $"vehicle {2 - i} is not of our group: the area, keepOuts, lane spacing or heading of its mission are "
+                    + "others; nothing is shared with it but the air"));
+            Assert.DoesNotContain(rig.Rigs[i].Decisions, d => d.Contains("is in the group"));
+            Assert.Empty(rig.StatusOf(i).Members);
+            Assert.Equal(rig.StatusOf(i).Lanes, rig.ShareOf(i).Count);
+        }
+    }
+
+    [Theory]
+    [InlineData(8, false)]
+    [InlineData(12, true)]
+    public void Wait_LandingPlaces_AreTenMetresApartOrNoneTakesOff(double metresApart, bool takesOff)
+    {
+        using var rig = new GroupRig(2, MissionRig.Mission(area: Field), homesApartMetres: metresApart);
+        rig.Run(30);
+
+        foreach (int i in Enumerable.Range(0, 2))
+        {
+            Assert.Equal(takesOff, rig.Rigs[i].Status.Phase != MissionPhase.WaitingForVehicle);
+            if (!takesOff)
+                Assert.Contains(
+                    $"vehicle {2 - i} lands 8.0 m from here; at least 10.0 m are needed", rig.Rigs[i].Status.Text);
+        }
     }
 
     [Fact]
