@@ -19,14 +19,16 @@ internal static class GroupSummary
         GroupFlight flight, IReadOnlyList<FlightSummary> vehicles, ConsoleOptions options,
         IReadOnlyList<string> reports, string? stoppedBy)
     {
-        MissionScore score = vehicles.Select(v => TargetScoring.Score(flight.Truth, v.Record, null))
+        MissionScore[] scores = vehicles.Select(v => TargetScoring.Score(flight.Truth, v.Record, null))
             .OrderByDescending(s => s.Found).ThenBy(s => s.FalseTracks.Count)
-            .ThenByDescending(s => s.RejectedTracks.Count + s.Targets.Count(t => t.IsRejected)).First();
+            .ThenByDescending(s => s.RejectedTracks.Count + s.Targets.Count(t => t.IsRejected)).ToArray();
         TruePose[] flown = flight.Group.Vehicles.SelectMany(v => v.World.Truth.Path.Where(p => p.Position.Down < 0))
             .ToArray();
         GroupVehicleSummary[] all = vehicles
             .Select((v, i) => Of(flight, flight.Vehicles[i], v, i < reports.Count ? reports[i] : string.Empty))
             .ToArray();
+        var group = new GroupFlightSummary(all);
+        MissionScore score = group.WithFalseTracksOf(scores[0], scores.Skip(1).ToArray());
         return new GroupFlightSummary(all)
         {
             Name = flight.Mission.Name,
@@ -39,7 +41,7 @@ internal static class GroupSummary
             Failures =
             [
                 .. stoppedBy is null ? [] : new[] { "the run was stopped before its end: " + stoppedBy },
-                .. FailuresOf(flight, new GroupFlightSummary(all), score),
+                .. FailuresOf(flight, group, score),
             ],
         };
     }

@@ -110,7 +110,8 @@ public sealed class GroupFlightSummary
     public TimeSpan FlightTime { get; init; }
 
     /// <summary>
-    /// The tracks of the vehicle that knows the most, compared with the truth; null where that is not known.
+    /// The tracks of the vehicle that knows the most, compared with the truth, and what others take for targets that is
+    /// none: see <see cref="WithFalseTracksOf"/>. Null where the truth is not known.
     /// </summary>
     public MissionScore? Score { get; init; }
 
@@ -131,6 +132,34 @@ public sealed class GroupFlightSummary
 
     /// <summary>Whether the group did what was asked for.</summary>
     public bool HasPassed => Failures.Count == 0;
+
+    /// <summary>
+    /// A score with the false and rejected tracks of standing targets that only other vehicles have: it is enough that
+    /// one of a group takes for a target what is none. Each is there once, and what a second vehicle rejected when it
+    /// was asked is not among the false ones. Tracks of targets that move change with what each vehicle sees last, and
+    /// are not added.
+    /// </summary>
+    /// <param name="score">Of the vehicle that knows the most.</param>
+    /// <param name="others">Of the other vehicles.</param>
+    public MissionScore WithFalseTracksOf(MissionScore score, IReadOnlyList<MissionScore> others)
+    {
+        if (score is null)
+            throw new ArgumentNullException(nameof(score));
+        if (others is null)
+            throw new ArgumentNullException(nameof(others));
+        List<TargetTrack> rejected = WithTracksOf(score.RejectedTracks, others.SelectMany(s => s.RejectedTracks));
+        List<TargetTrack> all = WithTracksOf(
+            score.FalseTracks, others.SelectMany(s => s.FalseTracks).Where(
+                t => !IsRejected(t) && !rejected.Exists(r => AreSame(r, t))));
+        return new MissionScore
+        {
+            Targets = score.Targets,
+            FalseTracks = all,
+            RejectedTracks = rejected,
+            IdentitySwitches = score.IdentitySwitches,
+            DistanceFromHomeMetres = score.DistanceFromHomeMetres,
+        };
+    }
 
     /// <summary>
     /// Where a target is that was to be validated: by the track of the vehicle that knows the most, as the report shows
@@ -180,6 +209,24 @@ public sealed class GroupFlightSummary
 
     private static bool AreSame(in ValidationTask a, in ValidationTask b) => a.Class == b.Class
         && a.MarkerId == b.MarkerId && Metres(a.Position, b.Position) < SamePlaceMetres;
+
+    private static List<TargetTrack> WithTracksOf(IEnumerable<TargetTrack> own, IEnumerable<TargetTrack> others)
+    {
+        List<TargetTrack> all = [.. own];
+        foreach (TargetTrack track in others.Where(t => t.Motion == TargetMotion.Standing))
+        {
+            if (!all.Exists(t => AreSame(t, track)))
+                all.Add(track);
+        }
+
+        return all;
+    }
+
+    private bool IsRejected(TargetTrack track) => Validations.Any(
+        t => t.State == ValidationState.Closed && t.Result == ValidationResult.Rejected && IsOf(track, t));
+
+    private static bool AreSame(TargetTrack a, TargetTrack b) => a.Class == b.Class && a.MarkerId == b.MarkerId
+        && Metres(a.Position, b.Position) < SamePlaceMetres;
 
     private static bool IsOf(TargetTrack track, ValidationTask task) => task.Class == track.Class
         && task.MarkerId == track.MarkerId && Metres(track.Position, task.Position) < SamePlaceMetres;

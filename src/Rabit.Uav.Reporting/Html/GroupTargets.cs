@@ -32,6 +32,7 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
             WriteMissed(missed);
         page.Close();
         WriteOtherFollowings(shown);
+        WriteOtherFalseTracks();
         page.Close();
     }
 
@@ -71,6 +72,25 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
             page.Element(
                 "li", $"{TargetClassNames.Name(task.Class)} found by {GroupColours.Name(task.Finder)}, none of these "
                     + $"tracks; followed: {data.DescribeFollowing(task)}");
+        }
+
+        page.Close();
+    }
+
+    private void WriteOtherFalseTracks()
+    {
+        TargetTrack[] others = (data.Score?.FalseTracks ?? []).Where(t => !_tracks.Tracks.Contains(t)).ToArray();
+        if (others.Length == 0)
+            return;
+        page.Open("ul", "class", "note");
+        foreach (TargetTrack track in others)
+        {
+            GroupVehicleSummary? vehicle = data.Vehicles.FirstOrDefault(
+                v => v.Flight.Record.Tracks.Tracks.Contains(track));
+            string who = vehicle is null ? "another vehicle" : GroupColours.Name(vehicle.SystemId);
+            page.Element(
+                "li", $"{who} alone has a confirmed track of {TargetClassNames.Name(track.Class)} at "
+                    + $"{TargetPlace.Decimal(track.Position)}, where there is no target");
         }
 
         page.Close();
