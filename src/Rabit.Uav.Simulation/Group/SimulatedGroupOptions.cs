@@ -63,16 +63,34 @@ public sealed class SimulatedGroupOptions
             yield return $"{nameof(World)} is null; it may be left as it is";
         if (Radio is null)
             yield return $"{nameof(Radio)} is null; it may be left as it is";
-        foreach (string fault in Radio?.FindFaults() ?? [])
+        foreach (string fault in Radio?.FindFaults(Vehicles + (GroundStations?.Count ?? 0)) ?? [])
             yield return $"{nameof(Radio)}: {fault}";
-        foreach (SimulatedGroupFault fault in Faults ?? [])
+        foreach (SimulatedGroupFault? fault in Faults ?? [])
         {
+            if (fault is null)
+            {
+                yield return $"{nameof(Faults)} has one that is null";
+                continue;
+            }
+
+            if (fault.Kind is < SimulatedGroupFaultKind.Lost or > SimulatedGroupFaultKind.SameSystemId)
+                yield return $"{nameof(Faults)} has one of kind {fault.Kind}, which there is not";
             if (fault.Vehicle < 0 || fault.Vehicle >= Vehicles)
                 yield return $"{nameof(Faults)} has one of vehicle {fault.Vehicle}; they are numbered from 0";
             if (fault.At < TimeSpan.Zero)
                 yield return $"{nameof(Faults)} has one at {fault.At}; it must not be negative";
             if (fault.Kind == SimulatedGroupFaultKind.SameSystemId && Vehicles == 1)
                 yield return $"{nameof(Faults)} has {fault.Kind}; that takes another vehicle";
+        }
+
+        foreach (KeyValuePair<int, IReadOnlyList<ScriptedFault>> own in VehicleFaults
+            ?? new Dictionary<int, IReadOnlyList<ScriptedFault>>())
+        {
+            if (own.Key < 0 || own.Key >= Vehicles)
+                yield return $"{nameof(VehicleFaults)} has some of vehicle {own.Key}; they are numbered from 0 to "
+                    + (Vehicles - 1);
+            if (own.Value is null)
+                yield return $"{nameof(VehicleFaults)} has null for vehicle {own.Key}; it may be empty";
         }
 
         if (GroundStations is null || GroundStations.Count > MaxGroundStations)

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 
 namespace Rabit.Uav.Simulation;
 
@@ -69,7 +70,8 @@ public sealed class SimulatedRadioOptions
 
     internal SimulatedRadioOptions Copy() => (SimulatedRadioOptions)MemberwiseClone();
 
-    internal IEnumerable<string> FindFaults()
+    /// <param name="stations">How many stations there are: vehicles, and then ground stations.</param>
+    internal IEnumerable<string> FindFaults(int stations)
     {
         if (!(HalfLossMetres > 0))
             yield return FormattableString.Invariant(
@@ -95,5 +97,21 @@ public sealed class SimulatedRadioOptions
             yield return $"{nameof(BytesPerSecond)} is {BytesPerSecond}; it must be above zero";
         if (Partitions is null)
             yield return $"{nameof(Partitions)} is null; it may be empty";
+        foreach (string fault in (Partitions ?? []).SelectMany(p => FindFaults(p, stations)))
+            yield return $"{nameof(Partitions)} has one {fault}";
+    }
+
+    private static IEnumerable<string> FindFaults(RadioPartition? partition, int stations)
+    {
+        if (partition?.Stations is null)
+        {
+            yield return "that is null, or has no stations";
+            yield break;
+        }
+
+        if (partition.At < TimeSpan.Zero || partition.Duration <= TimeSpan.Zero)
+            yield return $"at {partition.At} for {partition.Duration}; both must be positive, the first may be zero";
+        foreach (int station in partition.Stations.Where(s => s < 0 || s >= stations))
+            yield return $"with station {station}; vehicles and ground stations are numbered from 0 to {stations - 1}";
     }
 }
