@@ -147,9 +147,9 @@ public sealed class GroupFlightSummary
             throw new ArgumentNullException(nameof(score));
         if (others is null)
             throw new ArgumentNullException(nameof(others));
-        List<TargetTrack> rejected = WithTracksOf(score.RejectedTracks, others.SelectMany(s => s.RejectedTracks));
+        List<TargetTrack> rejected = WithTracksOf(RejectedOf(score), others.SelectMany(RejectedOf));
         List<TargetTrack> all = WithTracksOf(
-            score.FalseTracks, others.SelectMany(s => s.FalseTracks).Where(
+            score.FalseTracks.Where(t => !IsRejected(t)), others.SelectMany(s => s.FalseTracks).Where(
                 t => !IsRejected(t) && !rejected.Exists(r => AreSame(r, t))));
         return new MissionScore
         {
@@ -221,6 +221,10 @@ public sealed class GroupFlightSummary
 
         return all;
     }
+
+    // Who validated may not have reached the vehicle whose track it is any more.
+    private IEnumerable<TargetTrack> RejectedOf(MissionScore score)
+        => score.RejectedTracks.Concat(score.FalseTracks.Where(IsRejected));
 
     private bool IsRejected(TargetTrack track) => Validations.Any(
         t => t.State == ValidationState.Closed && t.Result == ValidationResult.Rejected && IsOf(track, t));

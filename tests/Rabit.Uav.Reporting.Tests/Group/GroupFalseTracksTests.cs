@@ -53,7 +53,31 @@ public sealed class GroupFalseTracksTests
         MissionScore all = Group(task, track).WithFalseTracksOf(
             new MissionScore(), [new MissionScore { FalseTracks = [track] }]);
 
-        Assert.Equal(expected, all.FalseTracks.Count);
+        Assert.Equal((expected, 1 - expected), (all.FalseTracks.Count, all.RejectedTracks.Count));
+    }
+
+    // The first vehicle was out of reach when the second one rejected it.
+    [Fact]
+    public void WithFalseTracksOf_OwnTrackThatAnotherVehicleRejected_IsRejectedOnceAndNotFalse()
+    {
+        TargetTrack own = Track(2, 100);
+        TargetTrack theirs = Track(9, 102);
+        var task = new ValidationTask
+        {
+            Finder = 2,
+            Number = 1,
+            State = ValidationState.Closed,
+            Validator = 3,
+            Result = ValidationResult.Rejected,
+            Class = theirs.Class,
+            Position = theirs.Position,
+        };
+
+        MissionScore all = Group(task, theirs).WithFalseTracksOf(
+            new MissionScore { FalseTracks = [own] }, [new MissionScore { RejectedTracks = [theirs] }]);
+
+        Assert.Empty(all.FalseTracks);
+        Assert.Equal([own], all.RejectedTracks);
     }
 
     [Fact]
