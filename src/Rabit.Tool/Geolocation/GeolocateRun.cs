@@ -32,7 +32,7 @@ internal static class GeolocateRun
     // Who opens a pipe waits for its writer, and a device may have no end. What is only written may be a device.
     private static void CheckIsFile(string? file, GeolocateOptions options)
     {
-        if (string.IsNullOrEmpty(file) || SpecialFile.FindKind(file) is not { } kind
+        if (file is not { Length: > 0 } || SpecialFile.FindKind(file) is not { } kind
             || (file == options.GeoJson && kind == "a device"))
             return;
         string hint = file == options.Request ? "; - reads the standard input." : ".";

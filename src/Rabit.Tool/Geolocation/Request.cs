@@ -18,7 +18,7 @@ internal sealed class Request
     private const string Pixels = "pixels";
     private const string Gimbal = "gimbal";
     private const int MaxPixels = 10_000;
-    private const double MaxSeconds = 1e11;   // some 3000 years: far below what a TimeSpan holds
+    public const double MaxSeconds = 1e11;   // some 3000 years: far below what a TimeSpan holds
 
     private readonly PixelGeolocator _locator;
     private readonly TimeSpan _time;

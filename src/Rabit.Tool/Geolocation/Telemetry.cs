@@ -71,6 +71,9 @@ internal static class Telemetry
             if (words.Length != width)
                 throw new FormatException($"Line {number} of {file} has {words.Length} numbers, not {width}.");
             double[] row = [.. places.Select(p => Number(words[p], number, file))];
+            if (!(Math.Abs(row[0]) <= Request.MaxSeconds))
+                throw new FormatException(FormattableString.Invariant(
+                    $"Line {number} of {file}: {Columns[0]} is {row[0]}; it must be seconds, {Request.MaxSeconds} at most."));
             TimeSpan time = TimeSpan.FromTicks((long)Math.Round(row[0] * TimeSpan.TicksPerSecond));
             Check(row, number, file);
             Add(locator, time, [.. row.Skip(1)]);

@@ -1,9 +1,9 @@
-#if NETSTANDARD2_0
+#if !NET
 using System.Runtime.InteropServices;
 
 namespace System;
 
-/// <summary>What <see cref="OperatingSystem"/> lacks on netstandard2.0.</summary>
+/// <summary>What <see cref="OperatingSystem"/> lacks on netstandard2.0 and the .NET Framework.</summary>
 internal static class OperatingSystemExtensions
 {
     extension(OperatingSystem)

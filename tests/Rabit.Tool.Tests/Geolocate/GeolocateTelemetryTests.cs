@@ -83,6 +83,8 @@ public sealed class GeolocateTelemetryTests : IDisposable
     [InlineData("1,47,8,540,0,0,0,0,0,0\n2,47,8,NaN,0,0,0,0,0,0", "altitudeAmslMetres is NaN; it must be -1000 to 100000")]
     [InlineData("1,47,188,540,0,0,0,0,0,0", "longitudeDegrees is 188; it must be -180 to 180")]
     [InlineData("1,47,8,540,0,0,0,0,0,0\n2,47,8,540,0,0,0,0,zero,0", "Line 2 of")]
+    [InlineData("1,47,8,540,0,0,0,0,0,0\nNaN,47,8,540,0,0,0,0,0,0", "Line 2 of")]
+    [InlineData("1e300,47,8,540,0,0,0,0,0,0", "timeSeconds is 1E+300; it must be seconds, 100000000000 at most.")]
     [InlineData("", "bad.csv has no poses.")]
     [InlineData("timeSeconds,latitudeDegrees,longitudeDegrees,altitudeAmslMetres,velocityNorthMetresPerSecond,velocityEastMetresPerSecond,velocityDownMetresPerSecond,rollDegrees,pitchDegrees,yawDegrees\n", "bad.csv has no poses.")]
     public void Table_Wrong_IsNamed(string text, string message)
