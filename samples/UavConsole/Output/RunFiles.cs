@@ -49,10 +49,11 @@ internal sealed class RunFiles : IDisposable
             options.ReportFile ?? (mission is null ? null : DefaultReport(mission)), options.Vehicles).ToArray();
         CheckTheyDiffer(
         [
-            .. reports.Select(r => ("--report", (string?)r)), ("--config", options.Config?.Path), (options.MissionOption, options.MissionFile),
+            ("--config", options.Config?.Path), (options.MissionOption, options.MissionFile),
             ("--truth", options.TruthFile), ("--sign-key", options.SignKeyFile),
             ("--progress", options.Operator.ProgressFile), ("--originals", options.Preflight.OriginalsFile),
-            ("--summary", options.SummaryFile), ("--log", options.LogFile),
+            ("--summary", options.SummaryFile), .. reports.Select(r => ("--report", (string?)r)),
+            ("--log", options.LogFile),
             .. options.Reporting.Exports.Select(e => ("--export", (string?)e)),
         ]);
         if (options.Preflight.SetsFailsafes || options.Preflight.UploadsFence)

@@ -90,7 +90,7 @@ internal sealed class TargetFollower
         Command(flight, first);
     }
 
-    /// <summary>Whether the camera can show what the vehicle flies over: it looks down, or a gimbal has it do so.</summary>
+    /// <summary>Whether the camera can show what the vehicle flies over: by itself, or by a gimbal.</summary>
     public static bool CanSee(MissionFlight flight)
         => flight.Camera.IsThere || flight.Mission.CameraPitch.Degrees <= MaxPitchDegrees;
 
