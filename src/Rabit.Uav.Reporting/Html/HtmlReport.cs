@@ -119,7 +119,8 @@ public sealed class HtmlReport
                 "targets found", $"{FlightText.Number(score.Found)} / {FlightText.Number(score.Targets.Count)}",
                 (score.FalseTracks.Count == 0
                     ? "no false track"
-                    : $"{FlightText.Number(score.FalseTracks.Count)} false") + FlightText.RejectedTracks(score) + FlightText.IdentitySwitches(score));
+                    : $"{FlightText.Number(score.FalseTracks.Count)} false")
+                    + FlightText.RejectedTracks(score) + FlightText.IdentitySwitches(score));
             _shell.Tile(
                 "position error",
                 double.IsNaN(score.RmseMetres) ? "none" : $"{FlightText.Number(score.RmseMetres, "0.00")} m",
