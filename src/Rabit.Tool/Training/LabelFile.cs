@@ -75,7 +75,9 @@ internal sealed class LabelFile
         return new TrainingBox(
             fields.Number("left"), fields.Number("top"), fields.Number("width"), fields.Number("height"))
         {
-            HeadingRadians = fields.Has("headingDegrees") ? fields.NumberWithin("headingDegrees", 360) * Math.PI / 180 : null,
+            HeadingRadians = fields.Has("headingDegrees")
+                ? fields.NumberWithin("headingDegrees", 360) * Math.PI / 180
+                : null,
             IsIgnored = fields.Has("ignored") && fields.Flag("ignored"),
         };
     }

@@ -237,7 +237,7 @@ public sealed class GeolocateTests : IDisposable
     public void BadInput_NamedPipe_IsRefusedAndNotWaitedFor(string hint, params string[] arguments)
     {
         if (!Directory.Exists("/proc/self"))
-            return;   // named pipes in folders are of Unix, and told apart on Linux
+            return;   // named pipes are looked for on Linux
         _run.File("camera.json", GeolocateFiles.Camera);
         _run.File("request.json", GeolocateFiles.Pose);
         string pipe = _run.PathOf(Array.Find(arguments, a => a.StartsWith("pipe", StringComparison.Ordinal))!);

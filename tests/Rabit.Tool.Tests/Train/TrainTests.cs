@@ -142,14 +142,17 @@ public sealed class TrainTests : IDisposable
         File.WriteAllText(Labels, "{ \"pictures\": [] }");
         Assert.Equal(
             [$"rabit train: {_folder}: that is a folder", "rabit train: --output is empty"],
-            [ToolProcess.Run("train", _folder, "-o", Output).Errors[0], ToolProcess.Run("train", Labels, "-o", "").Errors[0]]);
+            [
+                ToolProcess.Run("train", _folder, "-o", Output).Errors[0],
+                ToolProcess.Run("train", Labels, "-o", "").Errors[0],
+            ]);
     }
 
     [Fact]
     public void Train_NamedPipe_IsRefusedAndNotWaitedFor()
     {
         if (!Directory.Exists("/proc/self"))
-            return;   // named pipes in folders are of Unix, and told apart on Linux
+            return;   // named pipes are looked for on Linux
         string pipe = Path.Combine(_folder, "pipe");
         Assert.Equal(0, ToolProcess.RunInShell($"mkfifo \"{pipe}\"").ExitCode);
         File.WriteAllText(Labels, "{ \"pictures\": [] }");

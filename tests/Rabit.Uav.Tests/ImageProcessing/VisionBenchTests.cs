@@ -152,7 +152,8 @@ public sealed class VisionBenchTests : IDisposable
         (int exit, _, string errors) = Run(false, folder);
         Directory.Delete(folder, recursive: true);
         Assert.Equal(2, exit);
-        Assert.StartsWith($"{folder}: it has no truth.json, but these in it do: a. A set is", errors, StringComparison.Ordinal);
+        Assert.StartsWith(
+            $"{folder}: it has no truth.json, but these in it do: a. A set is", errors, StringComparison.Ordinal);
     }
 
     [Theory]

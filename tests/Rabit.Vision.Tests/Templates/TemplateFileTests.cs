@@ -40,7 +40,7 @@ public sealed class TemplateFileTests : IDisposable
     public void Load_NamedPipe_IsRefusedAndNotWaitedFor()
     {
         if (!Directory.Exists("/proc/self"))
-            return;   // told apart on Linux
+            return;   // named pipes are looked for on Linux
         SamplePictures.MakePipe(_path);
         Assert.Equal(
             _path + ": it is a pipe, not a file",

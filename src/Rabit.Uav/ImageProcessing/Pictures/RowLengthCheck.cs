@@ -16,7 +16,7 @@ internal sealed class RowLengthCheck(ProcessCameraOptions options)
     // With the right length all others are less alike, but for a slanted pattern; bare ground, dim and out of focus, is
     // alike everywhere.
     private const double MuchMoreAlike = 0.75;
-    private const double LeastDifference = 1;
+    private const double MinDifference = 1;
 
     private static readonly int[] Multiples = [1, 2, 16, 32, 64, 128, 256];
 
@@ -52,7 +52,7 @@ internal sealed class RowLengthCheck(ProcessCameraOptions options)
     private int FindLikely(byte[] bytes, int start)
     {
         double given = DifferenceAt(bytes, start, RowBytes);
-        if (given < LeastDifference)
+        if (given < MinDifference)
             return -1;
         (int best, double least) = (0, given * MuchMoreAlike);
         foreach (int multiple in Multiples)

@@ -9,7 +9,7 @@ internal sealed class V4l2Controls
     private const uint NotSettable = V4l2Layout.IsDisabled | V4l2Layout.IsReadOnly;
     private const long TicksPerUnit = TimeSpan.TicksPerMillisecond / 10;
 
-    private const int MaxUnits = 100_000;   // 10 s; a driver that says more is not believed
+    private const int MaxUnits = 100_000;   // 10 s; a driver that says more is wrong
 
     private readonly IVideoSystem _system;
     private readonly int _descriptor;

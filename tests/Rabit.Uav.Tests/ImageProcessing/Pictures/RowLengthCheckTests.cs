@@ -92,7 +92,8 @@ public sealed class RowLengthCheckTests
         }
 
         Assert.Contains(
-            "had 1280 bytes, not 1232", LineOf(Check(null, ProcessCameraFormat.Grey16), counts), StringComparison.Ordinal);
+            "had 1280 bytes, not 1232", LineOf(Check(null, ProcessCameraFormat.Grey16), counts),
+            StringComparison.Ordinal);
         Assert.Null(LineOf(Check(1280, ProcessCameraFormat.Grey16), counts));
     }
 

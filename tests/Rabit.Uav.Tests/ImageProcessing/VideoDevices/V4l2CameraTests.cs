@@ -266,7 +266,7 @@ public sealed class V4l2CameraTests : IDisposable
 
     // A reader that ended with an exception would say so instead.
     [Fact]
-    public void Read_DriverThatSaysAnExposureOfDays_IsNotBelieved()
+    public void Read_DriverThatSaysAnExposureOfDays_IsNotTrusted()
     {
         _system.Controls[0x9A_0902] = (int.MaxValue, int.MaxValue, int.MaxValue);
         V4l2CameraOptions options = Options();
