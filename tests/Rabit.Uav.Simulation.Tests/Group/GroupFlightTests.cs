@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 using Rabit.Uav.Simulation.Tests.Missions;
@@ -200,6 +201,31 @@ public sealed class GroupFlightTests(ITestOutputHelper output)
         Assert.InRange(near.HorizontalMetres, 0, 30);
         Assert.InRange(near.VerticalMetres, 0, 15);
         Assert.InRange(near.Time, TimeSpan.FromSeconds(5), flight.Group.Now);
+    }
+
+    // A second one on the way of the first, beside it.
+    [Theory]
+    [InlineData(0.5, 1)]
+    [InlineData(2, 0)]
+    public void Collisions_TwoBesideEachOther_AreThoseThatMeet(double metresApart, int expected)
+    {
+        using GroupFlight flight = Open(1);
+        SimulatedGroupVehicle first = flight.Group.Vehicles[0];
+        var second = new SimulatedGroupVehicle(first.World, first.Time, first.Radio, TimeSpan.Zero)
+        {
+            Start = first.Start + new NedVector(0, metresApart, 0),
+        };
+        var watch = new SeparationWatch();
+        bool areNear = flight.RunUntil(
+            () =>
+            {
+                watch.Update([first, second], flight.Group.Now);
+                return watch.TooNear.Count > 0;
+            },
+            120);
+        Assert.True(areNear, flight.Log);
+        Assert.Equal(metresApart, watch.TooNear[0].HorizontalMetres, 3);
+        Assert.Equal(expected, watch.Collisions.Count);
     }
 
     private static string[] EventLogs(long seed)
