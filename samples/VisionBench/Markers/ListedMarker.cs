@@ -84,8 +84,8 @@ internal sealed class ListedMarker
 
     private static ImmutableArray<PicturePoint> PointsOf(JsonElement corners, double shift)
         => corners.ValueKind == JsonValueKind.Array && corners.GetArrayLength() == 4
-            ? [.. TruthJson.Each(corners, "corners", (c, _) => TruthJson.Numbers(c, 2) is { } point
+            ? TruthJson.Each(corners, "corners", (c, _) => TruthJson.Numbers(c, 2) is { } point
                 ? new PicturePoint(point[0] + shift, point[1] + shift)
-                : throw new FormatException("it must be a list of 2 numbers"))]
+                : throw new FormatException("it must be a list of 2 numbers")).ToImmutableArray()
             : throw new FormatException("a marker has other than four corners");
 }
