@@ -90,7 +90,7 @@ internal sealed class RunFiles : IDisposable
         if (report is null)
             return [];
         string end = Path.GetExtension(report);
-        string stem = report.Remove(report.Length - end.Length);
+        string stem = report.Substring(0, report.Length - end.Length); // Mono's Remove refuses a name without an end
         return vehicles == 1 || OutputPath.IsOfDevice(report)
             ? [report]
             : Enumerable.Range(1, vehicles)
