@@ -22,9 +22,6 @@ namespace Rabit.Uav.Reporting;
 /// </example>
 public sealed class GroupFlightSummary
 {
-    // Two vehicles locate one target as differently as that, but seldom; two targets of one class are farther apart.
-    internal const double SamePlaceMetres = 10;
-
     /// <summary>Makes a summary.</summary>
     /// <param name="vehicles">The vehicles; they are kept in the order of their system ids.</param>
     /// <exception cref="ArgumentException">There is none.</exception>
@@ -42,9 +39,9 @@ public sealed class GroupFlightSummary
                 .ThenByDescending(t => t.Task.Award).First().Task)
             .Where(t => t.State != ValidationState.Closed || t.Validator != 0).ToArray();
         Validations = announced
-            .Where((t, i) => HasResult(t)
+            .Where((t, i) => TrackValidation.HasResult(t)
                 ? !t.IsRejectedByOperator || !IsElsewhere(announced, i)
-                : !announced.Any(o => HasResult(o) && AreSame(t, o)))
+                : !announced.Any(o => TrackValidation.HasResult(o) && AreSame(t, o)))
             .ToArray();
         Followings = Vehicles.SelectMany(v => v.Flight.Record.Group.Followings)
             .GroupBy(t => (t.Finder, t.Session, t.Number))
@@ -167,9 +164,9 @@ public sealed class GroupFlightSummary
     /// </summary>
     /// <param name="task">One of <see cref="Validations"/>.</param>
     public GeodeticPosition PositionOf(ValidationTask task) => BestInformed.Flight.Record.Tracks.Tracks
-        .Where(t => t.State != TrackState.Tentative && IsOf(t, task))
-        .OrderBy(t => Metres(t.Position, task.Position)).Select(t => (GeodeticPosition?)t.Position).FirstOrDefault()
-        ?? task.Position;
+        .Where(t => t.State != TrackState.Tentative && TrackValidation.IsOf(t, task))
+        .OrderBy(t => TrackValidation.Metres(t.Position, task.Position))
+        .Select(t => (GeodeticPosition?)t.Position).FirstOrDefault() ?? task.Position;
 
     /// <summary>How a target that moves was followed, in a few words: "by vehicle 2, 31 s in view".</summary>
     /// <param name="task">One of <see cref="Followings"/>.</param>
@@ -184,9 +181,7 @@ public sealed class GroupFlightSummary
         ?? Vehicles.OrderByDescending(v => v.Flight.Record.Tracks.Confirmed.Count()).First();
 
     /// <summary>The task of a track; null where it was never announced. Of several one that has a result.</summary>
-    internal ValidationTask? ValidationOf(TargetTrack track) => Validations.Where(t => IsOf(track, t))
-        .OrderByDescending(t => t.State == ValidationState.Closed).ThenBy(t => Metres(track.Position, t.Position))
-        .Select(t => (ValidationTask?)t).FirstOrDefault();
+    internal ValidationTask? ValidationOf(TargetTrack track) => TrackValidation.Of(track, Validations);
 
     /// <summary>Those of <see cref="Followings"/> that were of a track of <see cref="BestInformed"/>.</summary>
     internal IReadOnlyList<FollowTask> FollowingsOf(TargetTrack track)
@@ -204,11 +199,8 @@ public sealed class GroupFlightSummary
             && (o.Award > announced[index].Award || (o.Award == announced[index].Award && i < index)))
         .Any();
 
-    private static bool HasResult(in ValidationTask task)
-        => task.State == ValidationState.Closed && task.Result != ValidationResult.Unknown;
-
     private static bool AreSame(in ValidationTask a, in ValidationTask b) => a.Class == b.Class
-        && a.MarkerId == b.MarkerId && Metres(a.Position, b.Position) < SamePlaceMetres;
+        && a.MarkerId == b.MarkerId && TrackValidation.AreOnePlace(a.Position, b.Position);
 
     private static List<TargetTrack> WithTracksOf(IEnumerable<TargetTrack> own, IEnumerable<TargetTrack> others)
     {
@@ -226,17 +218,11 @@ public sealed class GroupFlightSummary
     private IEnumerable<TargetTrack> RejectedOf(MissionScore score)
         => score.RejectedTracks.Concat(score.FalseTracks.Where(IsRejected));
 
-    private bool IsRejected(TargetTrack track) => Validations.Any(
-        t => t.State == ValidationState.Closed && t.Result == ValidationResult.Rejected && IsOf(track, t));
+    private bool IsRejected(TargetTrack track)
+        => ValidationOf(track) is { Result: ValidationResult.Rejected, IsRejectedByOperator: false };
 
     private static bool AreSame(TargetTrack a, TargetTrack b) => a.Class == b.Class && a.MarkerId == b.MarkerId
-        && Metres(a.Position, b.Position) < SamePlaceMetres;
-
-    private static bool IsOf(TargetTrack track, ValidationTask task) => task.Class == track.Class
-        && task.MarkerId == track.MarkerId && Metres(track.Position, task.Position) < SamePlaceMetres;
-
-    private static double Metres(GeodeticPosition a, GeodeticPosition b)
-        => NedPosition.Origin.HorizontalDistanceTo(LocalNedFrame.IgnoringGeoid(a).ToNed(b));
+        && TrackValidation.AreOnePlace(a.Position, b.Position);
 
     // As their own roles say; the task names the last one alone.
     private byte[] FollowersOf(FollowTask task) => Vehicles

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Reporting.Html;
@@ -208,13 +207,6 @@ internal sealed class GroupTargets(PageWriter page, GroupFlightSummary data)
     private static TargetTrack? OwnTrack(GroupVehicleSummary vehicle, TargetTrack track)
         => vehicle.Flight.Record.Tracks.Tracks
             .Where(t => t.Class == track.Class && t.MarkerId == track.MarkerId && t.BestPictureNumber >= 0)
-            .Select(t => (Track: t, Metres: Distance(t.Position, track.Position)))
-            .Where(t => t.Metres < GroupFlightSummary.SamePlaceMetres)
-            .OrderBy(t => t.Metres).Select(t => t.Track).FirstOrDefault();
-
-    private static double Distance(GeodeticPosition a, GeodeticPosition b)
-    {
-        NedPosition ned = LocalNedFrame.IgnoringGeoid(a).ToNed(b);
-        return Math.Sqrt((ned.North * ned.North) + (ned.East * ned.East));
-    }
+            .Where(t => TrackValidation.AreOnePlace(t.Position, track.Position))
+            .OrderBy(t => TrackValidation.Metres(t.Position, track.Position)).FirstOrDefault();
 }

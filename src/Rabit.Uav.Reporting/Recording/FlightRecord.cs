@@ -103,6 +103,15 @@ public sealed class FlightRecord
     public double FirstBatteryRemaining { get; init; } = double.NaN;
 
     /// <summary>
+    /// What the group asked and knows of a target, as this vehicle knows it: the task of its validation by another one.
+    /// Of several, as two vehicles announced it, one that has a result; null where it was never announced.
+    /// </summary>
+    /// <param name="track">A track of this vehicle.</param>
+    /// <exception cref="ArgumentNullException">It is null.</exception>
+    public ValidationTask? ValidationOf(TargetTrack track) => TrackValidation.Of(
+        track ?? throw new ArgumentNullException(nameof(track)), Group.Validations);
+
+    /// <summary>
     /// The record with what was posted after the recorder's last unit of work: Mission Control posts its last status at
     /// its shutdown.
     /// </summary>

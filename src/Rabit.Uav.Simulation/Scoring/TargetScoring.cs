@@ -37,7 +37,7 @@ public static class TargetScoring
         if (record is null)
             throw new ArgumentNullException(nameof(record));
         return Score(
-            truth, record.Tracks.Tracks, record.MovingTrackPaths, new GroupVerdicts(record.Group.Validations),
+            truth, record.Tracks.Tracks, record.MovingTrackPaths, t => IsRejectedByVehicle(record, t),
             DistanceFromHome(record.Mission.Plan, trueEnd));
     }
 
@@ -48,16 +48,16 @@ public static class TargetScoring
     /// others are ignored.
     /// </param>
     public static MissionScore Score(TargetTruth truth, IEnumerable<TargetTrack> tracks)
-        => Score(truth, tracks, [], new GroupVerdicts([]), null);
+        => Score(truth, tracks, [], _ => false, null);
 
     private static MissionScore Score(
-        TargetTruth truth, IEnumerable<TargetTrack> tracks, IReadOnlyList<TrackPath> paths, GroupVerdicts verdicts,
-        double? distanceFromHomeMetres)
+        TargetTruth truth, IEnumerable<TargetTrack> tracks, IReadOnlyList<TrackPath> paths,
+        Func<TargetTrack, bool> isRejectedByVehicle, double? distanceFromHomeMetres)
     {
         if (truth is null)
             throw new ArgumentNullException(nameof(truth));
         TargetTrack[] all = (tracks ?? throw new ArgumentNullException(nameof(tracks))).OrderBy(t => t.Id).ToArray();
-        TargetTrack[] rejectedByVehicle = all.Where(t => IsFound(t) && verdicts.AreRejection(t)).ToArray();
+        TargetTrack[] rejectedByVehicle = all.Where(t => IsFound(t) && isRejectedByVehicle(t)).ToArray();
         TargetTrack[] confirmed = all.Where(t => IsFound(t) && !rejectedByVehicle.Contains(t)).ToArray();
         var tracksOf = truth.Targets.Select(_ => new List<TargetTrack>()).ToArray();
         var isTaken = new HashSet<int>();
@@ -87,6 +87,10 @@ public static class TargetScoring
             DistanceFromHomeMetres = distanceFromHomeMetres,
         };
     }
+
+    // What the operator rejected has the state of its track.
+    private static bool IsRejectedByVehicle(FlightRecord record, TargetTrack track)
+        => record.ValidationOf(track) is { Result: ValidationResult.Rejected, IsRejectedByOperator: false };
 
     // By distance; among equals by target and track, so that the same tracks always score the same.
     private static IEnumerable<(int Target, TargetTrack Track, double Metres)> Pairs(
