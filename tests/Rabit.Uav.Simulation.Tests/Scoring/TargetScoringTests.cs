@@ -101,6 +101,18 @@ public sealed class TargetScoringTests
         Assert.Empty(score.RejectedTracks);
     }
 
+    // Two vehicles announced it: one task was left to the other.
+    [Fact]
+    public void Score_NearerTaskHasNoResult_TheOneWithAResultCounts()
+    {
+        MissionScore score = ScoreInGroup(
+            [Track(1, DefaultTargetClasses.Red, 50, 0)],
+            Task(2, ValidationResult.Unknown, 50), Task(3, ValidationResult.Rejected, 52));
+
+        Assert.Empty(score.FalseTracks);
+        Assert.Equal([1], score.RejectedTracks.Select(t => t.Id));
+    }
+
     [Fact]
     public void Score_RejectedTrackBesideAConfirmedOne_EachHasItsOwnResult()
     {
