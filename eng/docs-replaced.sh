@@ -23,6 +23,7 @@ run_command() {
         *'samples/UavConsole -- --realtime'*)
             # UavConsole with its diagnostics: runs until it is stopped.
             end_programs
+            rm -f "$XDG_RUNTIME_DIR"/rabit/*.sock   # of a program that was killed
             start_program "$1"
             await_socket
             ;;
@@ -64,7 +65,9 @@ await_socket() {
 await_page() {
     local _
     for _ in $(seq 600); do
-        if curl -fsS --max-time 5 -o "$work/page.html" "$1" 2> /dev/null && grep -q '<html' "$work/page.html"; then
+        # The page is there before the flight is, and a program that is stopped before it flies has no stop in order.
+        if grep -q '^live page: ' "$said" && curl -fsS --max-time 5 -o "$work/page.html" "$1" 2> /dev/null &&
+            grep -q '<html' "$work/page.html"; then
             echo "page at $1: $(wc -c < "$work/page.html") bytes"
             return
         fi

@@ -187,11 +187,12 @@ internal static class FlightRun
         Console.WriteLine(flight.Source);
         if (flight.Notice is not null)
             Console.WriteLine(flight.Notice);
-        if (web is not null)
-            Console.WriteLine("live page: " + web.Address);
-
         using IDisposable diagnostics = RunDiagnostics.Open(reactor, log);
         Task<ReactorResult> run = reactor.RunAsync();
+
+        // Now that signals stop the flight in order: who has waited for this line may send one.
+        if (web is not null)
+            Console.WriteLine("live page: " + web.Address);
         if (keys is not null)
             KeyReader.Start(keys, clock);
         ShowUntilEnd(run, flight, monitor, log, options, keys);

@@ -86,6 +86,11 @@ public sealed partial class RabitReactor
         }
     }
 
+    // For the length of one run.
+    private StopSignals? TakeStopSignals() => _options.StopsOnSignals
+        ? new StopSignals(StopOnSignal, note => _log.Write(RabitLogKind.Note, Source, note))
+        : null;
+
     // A terminal that closes sends SIGHUP more than once; a person or a service manager that asks twice means it.
     private void StopOnSignal(string signal)
         => RequestStop(signal, signal == "SIGHUP" ? StopUrgency.Waits : StopUrgency.EndsDelay);

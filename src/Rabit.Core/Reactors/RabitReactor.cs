@@ -127,10 +127,13 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
     public ReactorResult Run()
     {
         Claim(asAWhole: true);
+        using StopSignals? signals = TakeStopSignals();
         return RunClaimed();
     }
 
-    /// <summary>As <see cref="Run"/>, on a thread of its own.</summary>
+    /// <summary>
+    /// As <see cref="Run"/>, on a thread of its own. From its return on, a signal stops the run in order.
+    /// </summary>
     /// <param name="stop">Stops the run when cancelled; the task then ends with the result, not as cancelled.</param>
     /// <returns>How each manager ended; or the exceptions of <see cref="Run"/>.</returns>
     public Task<ReactorResult> RunAsync(CancellationToken stop = default)
@@ -148,11 +151,13 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
         var ended = new TaskCompletionSource<ReactorResult>(TaskCreationOptions.RunContinuationsAsynchronously);
         // Only now: the token of a call that is refused must not stop the run that is under way.
         CancellationTokenRegistration cancellation = stop.Register(() => Stop("cancelled"));
+        StopSignals? signals = TakeStopSignals();
         var thread = new Thread(() =>
         {
             ReactorResult result;
             try
             {
+                using (signals)
                 using (cancellation)
                     result = RunClaimed();
             }
@@ -230,9 +235,6 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
 
     private ReactorResult RunClaimed()
     {
-        using StopSignals? signals = _options.StopsOnSignals
-            ? new StopSignals(StopOnSignal, note => _log.Write(RabitLogKind.Note, Source, note))
-            : null;
         StartClaimed();
         return End();
     }

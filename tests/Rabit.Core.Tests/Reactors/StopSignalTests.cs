@@ -1,5 +1,6 @@
 using System;
 using System.Threading;
+using System.Threading.Tasks;
 using Rabit.Core.Tests.Contracts;
 using Rabit.Tests.Shared;
 using Xunit;
@@ -19,6 +20,23 @@ public sealed class StopSignalTests
 
     [SignalFact(Signals.HangUp), Trait("Clause", "4.3")]
     public void Sighup_ToTheProcess_StopsTheRunInOrder() => AssertStops(Signals.HangUp, "SIGHUP");
+
+    [SignalFact(Signals.Terminate), Trait("Clause", "4.3")]
+    public void Sigterm_AsSoonAsRunAsyncHasReturned_StopsTheRunInOrder()
+    {
+        for (int i = 0; i < 5; i++)
+        {
+            var reactor = new RabitReactor { new ScriptedManager("m", new TestBoard()) };
+            Task<ReactorResult> run = reactor.RunAsync();
+
+            Assert.Equal(0, Signals.Send(Signals.OwnProcess, Signals.Terminate));
+            bool ended = run.Wait(TestTimeout.Limit);
+            reactor.Stop("no signal came");
+
+            Assert.True(ended);
+            Assert.Equal(("SIGTERM", 0), (run.Result.StopReason, run.Result.ExitCode));
+        }
+    }
 
     [SignalFact(Signals.Interrupt), Trait("Clause", "1.9")]
     public void Sigint_WhileAManagerDelays_IsDelayedOnceAndTheSecondEndsIt()
