@@ -31,7 +31,7 @@ internal sealed class DrawnScene
 
     // The least light of each level of sRGB, and the level at each of so many steps of light.
     private const int Steps = 4096;
-    private static readonly double[] LeastLight = LeastLightOfLevels();
+    private static readonly double[] MinLight = MinLightOfLevels();
     private static readonly byte[] LevelAt = LevelsAtSteps();
 
     private readonly Random _random;
@@ -113,17 +113,17 @@ internal sealed class DrawnScene
     private static byte Level(double light)
     {
         int level = LevelAt[Math.Min((int)(Steps * light), Steps - 1)];
-        while (level < 255 && light >= LeastLight[level + 1])
+        while (level < 255 && light >= MinLight[level + 1])
             level++;
         return (byte)level;
     }
 
-    private static double[] LeastLightOfLevels()
+    private static double[] MinLightOfLevels()
     {
-        double[] least = new double[256];
-        for (int level = 1; level < least.Length; level++)
-            least[level] = Linear(level - 0.5);
-        return least;
+        double[] min = new double[256];
+        for (int level = 1; level < min.Length; level++)
+            min[level] = Linear(level - 0.5);
+        return min;
     }
 
     private static byte[] LevelsAtSteps()
@@ -132,7 +132,7 @@ internal sealed class DrawnScene
         for (int step = 1; step < Steps; step++)
         {
             int level = levels[step - 1];
-            while (level < 255 && step / (double)Steps >= LeastLight[level + 1])
+            while (level < 255 && step / (double)Steps >= MinLight[level + 1])
                 level++;
             levels[step] = (byte)level;
         }
